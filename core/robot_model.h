@@ -1,0 +1,154 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/frames.h"
+#include "core/joint.h"
+#include "core/shape.h"
+#include "core/sim_time.h"
+
+namespace nao {
+
+/// One rigid link. Body 0 is the root (Torso); every other hangs on its parent by one hinge, and
+/// a parent always comes before its children.
+struct Body {
+  std::string name;
+  int parent = -1;
+  Pose X_PB = Pose::Identity();  // in the parent, at hinge angle 0
+  Vec3 axis = Vec3::UnitZ();     // hinge axis in B, unit
+  double mass = 0;               // [kg]
+  Vec3 p_BoBcm = Vec3::Zero();   // [m] centre of mass, in B
+  Mat3 I_Bcm = Mat3::Zero();     // [kg m^2] about the centre of mass, axes of B
+  std::vector<Shape> visuals;
+  std::vector<Shape> collisions;
+};
+
+/// The hinge of body i+1. Coordinates that share a joint move together (HipYawPitch).
+struct Coordinate {
+  std::string name;   // of the hinge, e.g. RHipYawPitch
+  Joint joint{};      // the motor that drives it
+  double lower = 0;   // [rad] mechanical stop
+  double upper = 0;   // [rad]
+};
+
+/// A motor and its gear, seen at the joint.
+struct Actuator {
+  std::string name;                // NaoQi's, e.g. LHipYawPitch
+  std::vector<int> coordinates;    // hinges it turns: one, two (HipYawPitch), none (hands)
+  double lower = 0;                // [rad] command range; hands 0..1
+  double upper = 0;                // [rad]
+  double max_velocity = 0;         // [rad/s] as getLimits reports, base of fractionMaxSpeed
+  double max_torque = 0;           // [N m]   as getLimits reports
+  double stall_torque = 0;         // [N m] at the joint, before efficiency
+  double no_load_speed = 0;        // [rad/s] at the joint
+  double efficiency = 0.7;         // of the gear
+  double rotor_inertia = 0;        // [kg m^2] reflected to the joint
+  double kp = 0;                   // [N m/rad]
+  double kd = 0;                   // [N m s/rad]
+};
+
+/// The range of one joint depends on the angle of another: linear between rows.
+struct CoupledLimit {
+  struct Row {
+    double driver = 0;  // [rad] ascending
+    double min = 0;     // [rad]
+    double max = 0;     // [rad]
+  };
+  Joint driver{};
+  Joint limited{};
+  std::vector<Row> rows;
+
+  /// The range of the limited joint at this angle of the driver; ends are held.
+  std::pair<double, double> rangeAt(double driver_angle) const;
+};
+
+/// A named place on a body: soles, IMU, cameras.
+struct Frame {
+  std::string name;
+  int body = 0;
+  Pose X_BF = Pose::Identity();
+};
+
+struct CameraModel {
+  std::string name;                 // CameraTop, CameraBottom
+  int body = 0;
+  Pose X_BC = Pose::Identity();     // x along the line of sight
+  double hfov = 0;                  // [rad]
+  double vfov = 0;                  // [rad]
+  int max_width = 640;              // [px]
+  int max_height = 480;             // [px]
+  std::vector<int> frame_rates;     // [1/s] offered, ascending; a wish is rounded up
+};
+
+/// A foot: where it touches the ground and where it feels it.
+struct FootModel {
+  int body = 0;                          // ankle roll link
+  Pose X_BS = Pose::Identity();          // sole frame
+  std::vector<Eigen::Vector2d> outline;  // [m] in the sole frame, counter-clockwise
+  std::array<Vec3, 4> fsr;               // [m] in the ankle frame: FL, FR, RL, RR
+};
+
+/// A sphere of a body that touches the ground (a foot's corners are not among them).
+struct ContactSphere {
+  int body = 0;
+  Vec3 p_B = Vec3::Zero();
+  double radius = 0;  // [m]
+};
+
+/// A named set of joint angles.
+struct Posture {
+  std::string name;
+  std::string family;
+  JointArray<double> angle;  // [rad]
+};
+
+/// Everything fixed about a robot, read from robots/<name>/. Immutable once loaded.
+struct RobotModel {
+  std::string name;         // nao_h21_v33
+  std::string body_type;    // "H21", "H25" (RobotConfig), or the file's own
+  std::string version;      // "V3.3"
+  Duration cycle{};         // between two exchanges of command and frame
+  bool fixed_base = false;  // an arm bolted to the floor
+
+  std::vector<Body> bodies;
+  std::vector<Coordinate> coordinates;  // coordinates[i] belongs to bodies[i + 1]
+  std::vector<Actuator> actuators;      // indexed by Joint
+  std::vector<CoupledLimit> coupled_limits;
+  std::vector<Frame> frames;
+  std::vector<CameraModel> cameras;
+  std::vector<FootModel> feet;          // none, or left and right
+  std::vector<ContactSphere> contact_spheres;
+  std::vector<Posture> postures;
+  std::string start_posture;
+
+  int imu_body = 0;
+  Vec3 p_BoImu = Vec3::Zero();
+  int gyro_axes = 3;                // 2 on V3.x and V4
+  double encoder_quantum = 0;       // [rad]; 0: exact
+
+  /// NaoQi's names, in NaoQi's order; "Body" has RHipYawPitch although there is no such motor.
+  std::map<std::string, std::vector<std::string>> groups;
+  /// Names that stand for another actuator: RHipYawPitch -> LHipYawPitch.
+  std::map<std::string, std::string> aliases;
+
+  std::size_t jointCount() const { return actuators.size(); }
+  double totalMass() const;  // [kg]
+
+  /// The actuator of this name or alias.
+  std::optional<Joint> findJoint(std::string_view name) const;
+  std::optional<int> findBody(std::string_view name) const;
+  const Posture* findPosture(std::string_view name) const;
+};
+
+/// Reads robots/<name>/ below `robots_dir`: model.urdf, body.yaml, postures.yaml, cameras.yaml.
+/// @throws InputError naming file and line; for an unknown name it lists the known ones.
+std::shared_ptr<const RobotModel> loadRobotModel(const std::string& robots_dir,
+                                                 const std::string& name);
+
+}  // namespace nao

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/frames.h"
+#include "core/robot_model.h"
+#include "core/sim_time.h"
+#include "core/world_model.h"
+
+namespace nao {
+
+/// Ground truth at one instant: where everything really is. For camera, viewer, validation and
+/// UsarSim only; no NaoQi service may see it (tests/architecture_test.cc).
+struct SceneFrame {
+  struct Robot {
+    std::string name;
+    std::shared_ptr<const RobotModel> model;
+    std::vector<Pose> X_WB;  // by body of the model
+  };
+  struct Ball {
+    double radius = 0;  // [m]
+    Vec3 p_W = Vec3::Zero();
+    Color color;
+    Mat3 R_W = Mat3::Identity();
+  };
+
+  SimTime time{};
+  std::shared_ptr<const WorldModel> world;
+  std::vector<Robot> robots;
+  std::vector<Ball> balls;
+};
+
+}  // namespace nao

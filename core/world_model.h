@@ -1,0 +1,65 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/frames.h"
+#include "core/shape.h"
+
+namespace nao {
+
+/// Paint on the ground: a straight line, or a ring (a disc when its width is its radius).
+struct GroundMark {
+  enum class Kind { Line, Ring };
+  Kind kind = Kind::Line;
+  Eigen::Vector2d from = Eigen::Vector2d::Zero();  // [m] line: centre of one end. ring: centre
+  Eigen::Vector2d to = Eigen::Vector2d::Zero();    // [m] line: centre of the other end
+  double radius = 0;                               // [m] ring: of the middle of the paint
+  double width = 0.05;                             // [m]
+  Color color{255, 255, 255};
+};
+
+/// How touching bodies push back. See sim/contact.h for the law.
+struct Material {
+  double friction = 0.7;                // Coulomb coefficient
+  double stiffness = 30e3;              // [N/m] per contact point, normal
+  double damping = 300;                 // [N s/m]
+  double tangential_stiffness = 20e3;   // [N/m]
+  double tangential_damping = 100;      // [N s/m]
+};
+
+struct Ball {
+  std::string name = "ball";
+  double radius = 0.0325;           // [m]
+  double mass = 0.055;              // [kg]
+  double rolling_deceleration = 0.5;  // [1/s], a = -c v
+  Vec3 p_W = Vec3::Zero();          // [m] start
+  Color color{255, 120, 0};
+};
+
+/// Where a robot of the world starts. The command line's --robot options replace the list.
+struct RobotPlace {
+  std::string name;
+  std::string model;
+  Pose2 start;
+};
+
+/// Everything fixed about a world, read from worlds/*.yaml. Immutable once loaded.
+struct WorldModel {
+  std::string name;
+  double gravity = 9.80665;  // [m/s^2]
+  Material ground;
+  Color ground_color{60, 130, 60};
+  Color sky_color{170, 190, 210};
+  Eigen::Vector2d ground_size = Eigen::Vector2d(10, 10);  // [m] painted part; the plane is endless
+  std::vector<GroundMark> marks;
+  std::vector<Shape> obstacles;  // X_BS is X_WS
+  std::vector<Ball> balls;
+  std::vector<RobotPlace> robots;
+};
+
+/// @throws InputError naming file, line and what was expected.
+std::shared_ptr<const WorldModel> loadWorldModel(const std::string& file);
+
+}  // namespace nao

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/robot_io.h"
+#include "core/robot_model.h"
+#include "motion/gait.h"
+#include "motion/motion_request.h"
+#include "motion/motion_state.h"
+
+namespace nao::motion {
+
+/// Turns requests into one joint command per control cycle. Runs on the simulation thread; never
+/// hears of physics. Before the first request the joints keep the start posture with stiffness 0.
+/// A joint with stiffness 0 or less has its command follow its sensor, as on the robot, so that it
+/// does not jump when it is made stiff again.
+class MotionEngine {
+ public:
+  MotionEngine(std::shared_ptr<const RobotModel> model, std::unique_ptr<Gait> gait);
+  ~MotionEngine();
+
+  /// Takes a request over; what it changes shows from the next update().
+  void accept(const MotionRequest& request);
+
+  /// One cycle: the command for the time from `measured` on.
+  JointCommand update(const SensorFrame& measured);
+
+  /// What has been commanded, for publishing; valid after accept() or update().
+  MotionState state() const;
+
+  /// The requests that ended since the last call, in order.
+  std::vector<MotionOutcome> takeOutcomes();
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace nao::motion

@@ -1,0 +1,125 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/frames.h"
+#include "core/joint.h"
+#include "motion/gait.h"
+
+namespace nao::motion {
+
+/// Numbers requests in the order they were posted; also NaoQi's motion task id.
+using RequestId = std::uint64_t;
+
+/// Moves without booking the joints; a later request takes over. (setAngles, changeAngles)
+struct SetAngles {
+  std::vector<Joint> joints;
+  std::vector<double> angles;      // [rad], one per joint
+  std::vector<double> fraction;    // of the joint's maximum speed, (0, 1], one per joint
+  bool relative = false;           // changeAngles: to the present command
+};
+
+/// One cubic piece's handle, relative to its key. (angleInterpolationBezier)
+struct Handle {
+  enum class Kind : std::uint8_t { Constant = 0, Linear = 1, Bezier = 2, BezierAuto = 3 };
+  Kind kind = Kind::Bezier;
+  double dt = 0;      // [s]  <= 0 before the key, >= 0 after it
+  double dangle = 0;  // [rad]
+};
+struct Key {
+  double time = 0;   // [s] after the start of the motion
+  double angle = 0;  // [rad]
+  Handle before, after;
+};
+struct Curve {
+  Joint joint{};
+  std::vector<Key> keys;  // times ascending and positive
+};
+
+/// Books the joints until the last key; other interpolations of theirs wait. Starts from the
+/// present command. `smooth`: handles come from the keys' neighbours (angleInterpolation).
+struct Interpolate {
+  std::vector<Curve> curves;
+  bool relative = false;
+  bool smooth = true;
+};
+
+/// As Interpolate, in the least time that keeps every joint below its fraction of top speed.
+struct InterpolateWithSpeed {
+  std::vector<Joint> joints;
+  std::vector<double> angles;  // [rad]
+  double fraction = 1;
+};
+
+struct SetStiffness {
+  std::vector<Joint> joints;
+  std::vector<double> stiffness;  // -1 or 0 to 1
+};
+
+/// Stiffness along straight lines; books nothing.
+struct InterpolateStiffness {
+  struct Track {
+    Joint joint{};
+    std::vector<double> stiffness;
+    std::vector<double> times;  // [s] ascending
+  };
+  std::vector<Track> tracks;
+};
+
+struct WakeUp {};  // stiffness on; a Nao keeps its pose, and stands up from Crouch
+struct Rest {};    // to Crouch, then stiffness off
+
+struct GoToPosture {
+  std::string posture;
+  double fraction = 0.5;  // of top speed
+};
+
+struct MoveTo {
+  Pose2 target;  // in R
+  std::optional<double> time;  // [s]
+  GaitConfig config;
+};
+struct Move {
+  Velocity2 velocity;
+  GaitConfig config;
+};
+struct MoveToward {
+  double x = 0, y = 0, theta = 0;  // fractions, -1 to 1
+  GaitConfig config;
+};
+struct MoveInit {};  // to the pose from which walking starts
+struct StopMove {};
+struct KillMove {};
+
+/// Ends one request (kill, cancel) or all of them; joints keep their last command.
+struct Kill {
+  RequestId id = 0;
+};
+struct KillAll {};
+
+using MotionAction =
+    std::variant<SetAngles, Interpolate, InterpolateWithSpeed, SetStiffness, InterpolateStiffness,
+                 WakeUp, Rest, GoToPosture, MoveTo, Move, MoveToward, MoveInit, StopMove, KillMove,
+                 Kill, KillAll>;
+
+/// Everything a client can ask of the motion engine, checked for names, shapes and ranges before
+/// it is posted.
+struct MotionRequest {
+  RequestId id = 0;
+  MotionAction action;
+};
+
+/// How a request ended; every request gets exactly one.
+struct MotionOutcome {
+  enum class Kind : std::uint8_t { Done, Killed, Failed };
+  RequestId id = 0;
+  Kind kind = Kind::Done;
+  std::string reason;  // of a failure, one sentence
+};
+
+}  // namespace nao::motion

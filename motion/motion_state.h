@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/robot_io.h"
+#include "core/sim_time.h"
+#include "motion/motion_request.h"
+
+namespace nao::motion {
+
+/// A booked task, as ALMotion.getTaskList shows it.
+struct Task {
+  std::string name;
+  RequestId id = 0;
+  std::vector<Joint> joints;
+};
+
+/// What the motion engine has commanded, published once per tick. What services may read.
+struct MotionState {
+  SimTime time{};
+  RequestId last_accepted = 0;  // every request up to here has taken effect
+  JointCommand command;
+  bool awake = false;
+  bool move_active = false;
+  Pose2 position;       // odometry, frame R
+  Pose2 next_position;
+  Velocity2 velocity;
+  std::vector<Footstep> footsteps;
+  std::vector<Task> tasks;
+  bool falling = false;
+  bool fallen = false;
+};
+
+}  // namespace nao::motion
