@@ -1,0 +1,125 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "naoqi_api/convert.h"
+#include "naoqi_api/pending.h"
+#include "naoqi_api/session.h"
+
+namespace nao::rpc {
+
+class Service;
+class Tasks;
+
+/// The name and meaning of one argument, as shown to clients.
+struct Argument {
+  std::string name;
+  std::string meaning;
+};
+
+/// Who calls. A method that needs to know takes `const Caller&` as its first parameter; clients do
+/// not see that parameter. `session` is null for a call from inside the program.
+struct Caller {
+  std::shared_ptr<Session> session;
+  Service* service = nullptr;  // the one that was called
+  Tasks* tasks = nullptr;      // what .post started
+
+  std::uint64_t id() const { return session ? session->id() : 0; }
+};
+
+/// Takes the arguments, already converted to the declared types.
+using Handler = std::function<Pending<Value>(const Caller&, const std::vector<Value>& arguments)>;
+
+/// A method as clients see it, and the code that serves it.
+struct Method {
+  std::uint32_t uid = 0;
+  std::string name;
+  std::string parameters_signature;  // e.g. "(mmf)"
+  std::string return_signature;      // e.g. "v"
+  std::string meaning;
+  std::vector<Argument> arguments;
+  std::string return_meaning;
+  Handler call;
+
+  /// Converts the arguments as a libqi server would and runs the method. Every CallError becomes
+  /// a failed result; nothing is thrown.
+  Pending<Value> invoke(const Caller& caller, const std::vector<Value>& arguments_given) const;
+};
+
+namespace detail {
+
+template <class... P>
+struct Parameters {
+  static constexpr bool kTakesCaller = false;
+  using Values = std::tuple<std::decay_t<P>...>;
+};
+template <class... P>
+struct Parameters<const Caller&, P...> {
+  static constexpr bool kTakesCaller = true;
+  using Values = std::tuple<std::decay_t<P>...>;
+};
+
+template <std::size_t kDocumented, class... P>
+constexpr void checkDocumented() {
+  static_assert(kDocumented == std::tuple_size_v<typename Parameters<P...>::Values>,
+                "one Argument{} per parameter, please");
+}
+
+/// Runs `call`, which returns an R, and gives its result the one form that wires know.
+template <class R, class F>
+Pending<Value> complete(const F& call) {
+  Pending<Value> result;
+  if constexpr (std::is_void_v<R>) {
+    call();
+    result.resolve();
+  } else if constexpr (kIsPending<R>) {
+    const R pending = call();
+    pending.whenDone([result](const auto& outcome) {
+      using Stored = typename R::Stored;
+      if (outcome.isCanceled()) return result.cancelNow();
+      if (outcome.error) return result.fail(*outcome.error);
+      if constexpr (std::is_same_v<Stored, std::monostate>) {
+        result.resolve();
+      } else {
+        result.resolve(toValue<Stored>(*outcome.value));
+      }
+    });
+    if (pending.canBeCanceled()) result.onCancel([pending] { pending.cancel(); });
+  } else {
+    result.resolve(toValue<R>(call()));
+  }
+  return result;
+}
+
+/// The handler of a callable R(P...).
+template <class R, class... P, class F>
+Handler handlerOf(F function) {
+  using Shape = Parameters<P...>;
+  using Values = typename Shape::Values;
+  return [function](const Caller& caller, const std::vector<Value>& arguments) {
+    const auto values = ValueType<Values>::readItems(
+        arguments, std::make_index_sequence<std::tuple_size_v<Values>>());
+    return complete<R>([&]() -> R {
+      return std::apply(
+          [&](const auto&... value) -> R {
+            if constexpr (Shape::kTakesCaller) {
+              return function(caller, value...);
+            } else {
+              (void)caller;
+              return function(value...);
+            }
+          },
+          values);
+    });
+  };
+}
+
+}  // namespace detail
+}  // namespace nao::rpc

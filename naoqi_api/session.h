@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace nao::rpc {
+
+/// One client connection as services see it. I/O thread only.
+class Session {
+ public:
+  Session(std::uint64_t id, std::string endpoint) : id_(id), endpoint_(std::move(endpoint)) {}
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+  ~Session();
+
+  /// Unique within the process, never reused: a key for what belongs to one client.
+  std::uint64_t id() const { return id_; }
+
+  /// The address the client dialled, as tcp://host:port.
+  const std::string& endpoint() const { return endpoint_; }
+
+  /// `ended` is called once when the client has gone. Returns the number to forget it with.
+  std::uint64_t onEnd(std::function<void()> ended);
+  void forgetEnd(std::uint64_t link) { ended_.erase(link); }
+
+  /// Whether the client said it understands services reached as qi:<name>.
+  bool takesRelativeEndpoints() const { return takes_relative_endpoints_; }
+  void setTakesRelativeEndpoints(bool takes) { takes_relative_endpoints_ = takes; }
+
+ private:
+  std::uint64_t id_;
+  std::string endpoint_;
+  bool takes_relative_endpoints_ = false;
+  std::uint64_t next_link_ = 1;
+  std::map<std::uint64_t, std::function<void()>> ended_;
+};
+
+}  // namespace nao::rpc
