@@ -50,9 +50,15 @@ class Server:
         self._connections = []
         self.port = self._listener.getsockname()[1]
         self.address = "tcp://127.0.0.1:%d" % self.port
-        threading.Thread(target=self._accept, daemon=True).start()
+        self._accepting = threading.Thread(target=self._accept, daemon=True)
+        self._accepting.start()
 
     def close(self):
+        try:
+            self._listener.shutdown(socket.SHUT_RDWR)  # ends the accept() under way
+        except OSError:
+            return  # closed already
+        self._accepting.join()
         self._listener.close()
         for connection in self._connections:
             connection.close()
