@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -38,6 +39,8 @@ struct PropertyMember {
 /// NaoQi's own modules start from alModule() (naoqi_api/al_module.h), which adds ids 100 to 112.
 class Service {
  public:
+  static constexpr std::uint32_t kFirstUid = 100;  // below: what every qi object has
+
   Service(std::string name, std::string meaning);
 
   /// Adds `function` of `self` under `name`. There must be one Argument per parameter.
@@ -83,7 +86,8 @@ class Service {
          [property](const Value& value) { property.set(ValueType<T>::read(value)); }});
   }
 
-  /// Gives the member declared last this uid instead of the next free one.
+  /// Gives the member declared last this uid instead of the next free one. A member that had got
+  /// it by counting moves on to the next free one.
   Service& at(std::uint32_t uid);
 
   /// Overrides the signature of what the method declared last returns; it must return a Value.
@@ -107,6 +111,8 @@ class Service {
   const std::map<std::uint32_t, PropertyMember>& properties() const { return properties_; }
 
   const Method* findMethod(std::uint32_t uid) const;
+  /// The overload with as many arguments that takes these, else the first with as many.
+  const Method* findMethod(std::string_view name, const std::vector<Value>& arguments) const;
   const Emitter* findSignal(std::uint32_t uid) const;  // of a signal or a property
   const PropertyMember* findProperty(std::uint32_t uid) const;
   const PropertyMember* findProperty(std::string_view name) const;
@@ -135,6 +141,7 @@ class Service {
   }
 
   std::uint32_t takeUid();
+  void moveMember(std::uint32_t from, std::uint32_t to);
   bool isFree(std::uint32_t uid) const;
 
   std::string name_;
@@ -143,8 +150,9 @@ class Service {
   std::map<std::uint32_t, SignalMember> signals_;
   std::map<std::uint32_t, PropertyMember> properties_;
   std::vector<std::shared_ptr<void>> owned_;
-  std::uint32_t next_uid_ = 100;  // below: what every qi object has
+  std::uint32_t next_uid_ = kFirstUid;
   std::uint32_t last_uid_ = 0;
+  std::set<std::uint32_t> given_uids_;  // by at()
 };
 
 }  // namespace nao::rpc

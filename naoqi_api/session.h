@@ -26,6 +26,9 @@ class Session {
   std::uint64_t onEnd(std::function<void()> ended);
   void forgetEnd(std::uint64_t link) { ended_.erase(link); }
 
+  /// The client has gone: calls what was left with onEnd(). For the connection only.
+  void end();
+
   /// Whether the client said it understands services reached as qi:<name>.
   bool takesRelativeEndpoints() const { return takes_relative_endpoints_; }
   void setTakesRelativeEndpoints(bool takes) { takes_relative_endpoints_ = takes; }

@@ -1,0 +1,165 @@
+#include "naoqi_api/service.h"
+
+#include <algorithm>
+
+#include "core/check.h"
+
+namespace nao::rpc {
+namespace {
+
+bool fits(const Method& method, const std::vector<Value>& arguments) {
+  return convert(Value::tuple(arguments), Signature::of(method.parameters_signature),
+                 Bend::Declared)
+      .has_value();
+}
+
+}  // namespace
+
+Service::Service(std::string name, std::string meaning)
+    : name_(std::move(name)), meaning_(std::move(meaning)) {}
+
+Service& Service::add(Method method) {
+  for (const auto& [uid, known] : methods_) {
+    NAO_CHECK(known.name != method.name ||
+              known.parameters_signature != method.parameters_signature);
+  }
+  NAO_CHECK(Signature::of(method.parameters_signature).is('('));
+  Signature::of(method.return_signature);
+  method.uid = takeUid();
+  methods_.emplace(method.uid, std::move(method));
+  return *this;
+}
+
+Service& Service::addSignal(std::string name, Emitter emitter) {
+  NAO_CHECK(Signature::of(emitter.signature()).is('('));
+  const std::uint32_t uid = takeUid();
+  signals_.emplace(uid, SignalMember{uid, std::move(name), std::move(emitter)});
+  return *this;
+}
+
+Service& Service::signal(std::string name, std::string signature) {
+  return addSignal(std::move(name), Emitter(std::move(signature)));
+}
+
+Service& Service::addProperty(PropertyMember property) {
+  property.uid = takeUid();
+  properties_.emplace(property.uid, std::move(property));
+  return *this;
+}
+
+namespace {
+
+template <class Members>
+void move(Members& members, std::uint32_t from, std::uint32_t to) {
+  auto node = members.extract(from);
+  if (node.empty()) return;
+  node.key() = to;
+  node.mapped().uid = to;
+  members.insert(std::move(node));
+}
+
+}  // namespace
+
+void Service::moveMember(std::uint32_t from, std::uint32_t to) {
+  move(methods_, from, to);
+  move(signals_, from, to);
+  move(properties_, from, to);
+}
+
+Service& Service::at(std::uint32_t uid) {
+  NAO_CHECK(last_uid_ != 0 && uid >= kFirstUid);
+  NAO_CHECK(given_uids_.insert(uid).second);
+  if (uid == last_uid_) return *this;
+  const std::uint32_t last = last_uid_;
+  constexpr std::uint32_t kAside = 0;
+  moveMember(last, kAside);
+  next_uid_ = std::min(next_uid_, last);
+  if (!isFree(uid)) moveMember(uid, takeUid());
+  moveMember(kAside, uid);
+  last_uid_ = uid;
+  return *this;
+}
+
+Service& Service::returning(std::string signature, std::string meaning) {
+  const auto method = methods_.find(last_uid_);
+  NAO_CHECK(method != methods_.end());
+  Signature::of(signature);
+  method->second.return_signature = std::move(signature);
+  method->second.return_meaning = std::move(meaning);
+  return *this;
+}
+
+Service& Service::startAt(std::uint32_t uid) {
+  next_uid_ = uid;
+  return *this;
+}
+
+Service& Service::owning(std::shared_ptr<void> implementation) {
+  owned_.push_back(std::move(implementation));
+  return *this;
+}
+
+const Method* Service::findMethod(std::uint32_t uid) const {
+  const auto found = methods_.find(uid);
+  return found == methods_.end() ? nullptr : &found->second;
+}
+
+const Emitter* Service::findSignal(std::uint32_t uid) const {
+  const auto signal = signals_.find(uid);
+  if (signal != signals_.end()) return &signal->second.emitter;
+  const PropertyMember* property = findProperty(uid);
+  return property ? &property->emitter : nullptr;
+}
+
+const PropertyMember* Service::findProperty(std::uint32_t uid) const {
+  const auto found = properties_.find(uid);
+  return found == properties_.end() ? nullptr : &found->second;
+}
+
+const PropertyMember* Service::findProperty(std::string_view name) const {
+  for (const auto& [uid, property] : properties_) {
+    if (property.name == name) return &property;
+  }
+  return nullptr;
+}
+
+const Method* Service::findMethod(std::string_view name,
+                                  const std::vector<Value>& arguments) const {
+  const Method* candidate = nullptr;
+  for (const auto& [uid, method] : methods_) {
+    const std::size_t count = Signature::of(method.parameters_signature).children().size();
+    if (method.name != name || count != arguments.size()) continue;
+    if (fits(method, arguments)) return &method;
+    if (!candidate) candidate = &method;
+  }
+  return candidate;
+}
+
+Pending<Value> Service::call(std::string_view name, const std::vector<Value>& arguments,
+                             Caller caller) {
+  caller.service = this;
+  if (const Method* method = findMethod(name, arguments)) return method->invoke(caller, arguments);
+  Pending<Value> failed;
+  failed.fail("\t" + name_ + "::" + std::string(name) + "\n\tCan't find method: " +
+              std::string(name) + " (resolved to '" + Value::tuple(arguments).signature() + "')");
+  return failed;
+}
+
+void Service::emit(std::string_view signal, const std::vector<Value>& arguments) const {
+  for (const auto& [uid, member] : signals_) {
+    if (member.name == signal) return member.emitter.emit(arguments);
+  }
+  NAO_CHECK(!"a signal of this name");
+}
+
+bool Service::isFree(std::uint32_t uid) const {
+  return methods_.count(uid) + signals_.count(uid) + properties_.count(uid) == 0;
+}
+
+std::uint32_t Service::takeUid() {
+  while (!isFree(next_uid_)) ++next_uid_;
+  last_uid_ = next_uid_++;
+  return last_uid_;
+}
+
+}  // namespace nao::rpc
