@@ -1,0 +1,57 @@
+#include "runtime/robot.h"
+
+#include <utility>
+
+#include "walk_engine/zmp_gait.h"
+
+namespace nao::runtime {
+namespace {
+
+std::unique_ptr<motion::MotionEngine> makeEngine(const std::shared_ptr<const RobotModel>& model) {
+  auto gait = model->feet.size() == 2 ? walk::makeZmpGait(model) : nullptr;
+  return std::make_unique<motion::MotionEngine>(model, std::move(gait));
+}
+
+}  // namespace
+
+Robot::Robot(std::shared_ptr<const RobotModel> model)
+    : model_(std::move(model)),
+      ports_(std::make_shared<motion::RobotPorts>()),
+      motion_(makeEngine(model_)) {
+  publish();
+}
+
+void Robot::acceptRequests() {
+  const auto requests = ports_->requests.drain();
+  if (requests.empty() && unsent_.empty()) return;
+  for (const motion::MotionRequest& request : requests) motion_->accept(request);
+  publish();
+}
+
+JointCommand Robot::tick(const SensorFrame& frame) {
+  for (const motion::MotionRequest& request : ports_->requests.drain()) motion_->accept(request);
+  JointCommand command = motion_->update(frame);
+  ports_->sensors.publish(frame);
+  publish();
+  return command;
+}
+
+void Robot::restart() {
+  acceptRequests();
+  const motion::MotionState before = motion_->state();
+  motion_->accept({before.last_accepted, motion::KillAll{}});
+  publish();
+  motion_ = makeEngine(model_);
+}
+
+void Robot::publish() {
+  ports_->state.publish(motion_->state());
+  for (motion::MotionOutcome& outcome : motion_->takeOutcomes()) {
+    unsent_.push_back(std::move(outcome));
+  }
+  std::size_t sent = 0;
+  while (sent < unsent_.size() && ports_->outcomes.post(unsent_[sent])) ++sent;
+  unsent_.erase(unsent_.begin(), unsent_.begin() + static_cast<std::ptrdiff_t>(sent));
+}
+
+}  // namespace nao::runtime

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/robot_io.h"
+#include "core/robot_model.h"
+#include "motion/motion_engine.h"
+#include "motion/robot_ports.h"
+
+namespace nao::runtime {
+
+/// One robot without its body: requests in, a joint command per cycle out. Lives on the
+/// simulation thread; other threads hold its ports.
+class Robot {
+ public:
+  explicit Robot(std::shared_ptr<const RobotModel> model);
+
+  const RobotModel& model() const { return *model_; }
+  const std::shared_ptr<motion::RobotPorts>& ports() const { return ports_; }
+
+  /// Takes over what clients asked for. Called by tick(), and alone while the world is paused, so
+  /// that nobody waits for an answer that only needs accepting.
+  void acceptRequests();
+
+  /// One control cycle. All of the robot happens here, in this order.
+  JointCommand tick(const SensorFrame& frame);
+
+  /// Forgets every motion, as after a power cycle; requests under way end as killed.
+  void restart();
+
+ private:
+  void publish();
+
+  std::shared_ptr<const RobotModel> model_;
+  std::shared_ptr<motion::RobotPorts> ports_;
+  std::unique_ptr<motion::MotionEngine> motion_;
+  std::vector<motion::MotionOutcome> unsent_;  // while the mailbox is full
+};
+
+}  // namespace nao::runtime

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/latest.h"
+#include "core/scene_frame.h"
+#include "runtime/robot.h"
+#include "runtime/world_request.h"
+#include "sim/world.h"
+
+namespace nao::runtime {
+
+/// A world and its robots, advanced together. No threads, no network: the daemon, tests and
+/// experiments all call advanceTo(). Belongs to one thread; other threads hold the robots' ports
+/// and truth().
+class Simulation {
+ public:
+  Simulation(std::shared_ptr<const WorldModel> world, const std::vector<sim::RobotSetup>& robots,
+             Duration step);
+
+  SimTime now() const { return world_.now(); }
+  Duration stepSize() const { return world_.stepSize(); }
+  std::size_t robotCount() const { return robots_.size(); }
+  Robot& robot(std::size_t i) { return *robots_[i]; }
+  const std::string& robotName(std::size_t i) const { return world_.robot(i).name; }
+  sim::World& world() { return world_; }
+
+  /// Moves on to `time`. Per step, in robot order: every robot whose cycle is due takes its frame,
+  /// ticks, and hands in its command; then the world moves.
+  void advanceTo(SimTime time);
+
+  /// Takes requests over without moving time, as while paused.
+  void acceptRequests();
+
+  /// @throws InputError for a robot or ball that does not exist.
+  void apply(const WorldRequest& request);
+
+  /// Where everything really is, once per cycle of the first robot. For UsarSim, never for NaoQi.
+  const Latest<SceneFrame>& truth() const { return truth_; }
+
+ private:
+  void tickDueRobots();
+
+  sim::World world_;
+  std::vector<std::unique_ptr<Robot>> robots_;
+  Latest<SceneFrame> truth_;
+};
+
+}  // namespace nao::runtime

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <variant>
+
+#include "core/frames.h"
+#include "core/sim_time.h"
+
+namespace nao::runtime {
+
+struct PushRobot {
+  std::size_t robot = 0;
+  Vec3 force_W = Vec3::Zero();  // [N] on the torso
+  Duration duration{};
+};
+struct PlaceRobot {
+  std::size_t robot = 0;
+  Pose2 pose;
+};
+struct PlaceBall {
+  std::size_t ball = 0;
+  Vec3 p_W = Vec3::Zero();  // [m]
+  Vec3 v_W = Vec3::Zero();  // [m/s]
+};
+/// Everything back to how it began; simulated time goes on.
+struct ResetWorld {};
+
+/// What changes the world from outside: the simulator's user, never a NaoQi service.
+using WorldRequest = std::variant<PushRobot, PlaceRobot, PlaceBall, ResetWorld>;
+
+}  // namespace nao::runtime

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <vector>
+
+#include "core/robot_model.h"
+#include "core/world_model.h"
+#include "sim/mass_matrix.h"
+
+namespace nao::sim {
+
+/// The points of one robot that can touch the ground z = 0, linearly implicit. Per point:
+///   normal      f_n = max(0, -k z - d z')
+///   tangential  f_t = -k_t (x - anchor) - d_t x' while |f_t| <= mu f_n: it really sticks;
+///               beyond that it slides with mu f_n against the motion, and the anchor follows.
+/// Sliding slower than kSlowSliding is viscous. Points: four corners of each sole and the
+/// model's spheres. The anchors are state: they belong into every snapshot.
+class GroundContact {
+ public:
+  struct Anchor {
+    bool touching = false;
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();  // [m] in W
+  };
+  struct Force {  // of the ground on the robot, over the step solved last
+    int body;
+    int foot;      // index into RobotModel::feet, or -1
+    Vec3 p_B;      // [m] where, in the body
+    Vec3 f_W;      // [N]
+    double depth;  // [m]
+  };
+
+  GroundContact(const RobotModel& model, const Material& material);
+
+  std::vector<Anchor>& anchors() { return anchors_; }
+  const std::vector<Anchor>& anchors() const { return anchors_; }
+
+  /// Starts a step of `h` [s]: finds the points that touch within it.
+  void prepare(const std::vector<BodyMotion>& motion, const MassMatrix& mass, double h);
+
+  void addTo(TreeMatrix& matrix, Eigen::VectorXd& rhs) const;
+
+  /// After a solve: lets go of points that would pull, lets points slide that can not hold.
+  bool revise(const Eigen::VectorXd& du);
+
+  /// Ends the step: moves the anchors.
+  void finish(const Eigen::VectorXd& du);
+
+  const std::vector<Force>& forces() const { return forces_; }
+
+  /// The height [m] of the lowest of all points.
+  double lowestPoint(const std::vector<BodyMotion>& motion) const;
+
+ private:
+  enum class Mode { Open, Stick, Slide };
+  struct Point {
+    int body;
+    int foot;
+    Vec3 p_B;
+    double radius;
+  };
+  struct Touch {
+    std::size_t point;
+    Mode mode;
+    Vec3 p_W;     // [m] lowest point of the sphere
+    Vec3 v_W;     // [m/s]
+    Vec3 now;     // [N] at the start of the step, with the velocity carried on
+    Vec3 change;  // [N s/m] their fall per unit of change of velocity
+    Vec3 force;   // [N] over the step
+    MassMatrix::PointJacobian jacobian;
+  };
+  void addFoot(const FootModel& foot, int index);
+  void open(std::size_t point, const Vec3& p_W, const Vec3& v_W);
+  void stick(Touch& touch) const;
+  void slide(Touch& touch, double normal_force) const;
+  bool reviseTouch(Touch& touch);
+  static Vec3 velocityChange(const Touch& touch, const std::vector<int>& parents,
+                             const Eigen::VectorXd& du);
+
+  Material material_;
+  double h_ = 0;
+  const MassMatrix* mass_ = nullptr;
+  std::vector<Point> points_;
+  std::vector<Anchor> anchors_;  // by point
+  std::vector<Touch> touches_;
+  std::size_t touch_count_ = 0;  // touches_ keeps its memory
+  std::vector<Force> forces_;
+};
+
+}  // namespace nao::sim

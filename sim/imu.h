@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/robot_io.h"
+#include "core/robot_model.h"
+#include "sim/multibody.h"
+
+namespace nao::sim {
+
+/// The inertial unit in the chest: accelerometer, gyroscope, and the torso's angles as the chest
+/// board fuses them from both (it does not know the truth either). Sampled once per cycle.
+class Imu {
+ public:
+  Imu(const RobotModel& model, double gravity);
+
+  /// What the unit remembers between samples; a plain value.
+  struct State {
+    bool started = false;
+    Vec3 v_W = Vec3::Zero();     // [m/s] of the unit, at the sample before
+    Vec3 down_T = Vec3::Zero();  // unit vector, as the unit believes
+    double yaw = 0;              // [rad]
+  };
+  State& state() { return state_; }
+  const State& state() const { return state_; }
+
+  /// Fills in the inertial part of `frame`; `cycle` is the time since the sample before.
+  void sample(const std::vector<BodyMotion>& motion, Duration cycle, SensorFrame& frame);
+
+ private:
+  void fuse(const SensorFrame& frame, double dt);
+
+  const RobotModel& model_;
+  double gravity_;
+  State state_;
+};
+
+}  // namespace nao::sim

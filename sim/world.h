@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/robot_io.h"
+#include "core/robot_model.h"
+#include "core/scene_frame.h"
+#include "core/sim_time.h"
+#include "core/world_model.h"
+
+namespace nao::sim {
+
+/// A robot as it enters a world.
+struct RobotSetup {
+  std::string name;
+  std::shared_ptr<const RobotModel> model;
+  Pose2 start;
+};
+
+/// The physical world: robots, balls, ground and obstacles. The whole public face of sim/.
+/// Belongs to one thread; same inputs, same outputs, to the last bit. Before the first command a
+/// robot rests in its start posture with stiffness 0.
+class World {
+ public:
+  /// @throws InputError if `step` is not 1 to 5 ms or does not divide every robot's cycle.
+  World(std::shared_ptr<const WorldModel> model, std::vector<RobotSetup> robots, Duration step);
+  ~World();
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+
+  SimTime now() const;
+  Duration stepSize() const;
+  std::size_t robotCount() const;
+  const RobotSetup& robot(std::size_t robot) const;
+  const WorldModel& model() const;
+
+  /// What the robot's motors follow from the next step on.
+  void setCommand(std::size_t robot, const JointCommand& command);
+
+  /// Moves everything on by one step.
+  void step();
+
+  /// What the robot's sensors report now; to be called once per cycle of that robot.
+  SensorFrame readSensors(std::size_t robot);
+
+  /// Where everything really is.
+  SceneFrame scene() const;
+
+  /// False once a number is no longer finite; step() then does nothing any more.
+  bool healthy() const;
+
+  /// Pushes the torso with `force_W` [N] for `duration`.
+  void push(std::size_t robot, const Vec3& force_W, Duration duration);
+  /// Puts a robot down at rest in its start posture, or in `angles`.
+  void placeRobot(std::size_t robot, const Pose2& pose, const JointArray<double>* angles = nullptr);
+  /// Puts a ball there at rest; z below the radius is lifted onto the ground.
+  void placeBall(std::size_t ball, const Vec3& p_W, const Vec3& v_W);
+  /// Everything back to how the world began; time goes on.
+  void reset();
+
+  /// A number that two runs share only if they are in the same state to the last bit.
+  std::uint64_t hash() const;
+
+  /// A complete state, to be restored into this world or one made alike.
+  class Snapshot;
+  std::shared_ptr<const Snapshot> snapshot() const;
+  void restore(const Snapshot& snapshot);
+
+  /// The largest depth [m] by which any point of the robot is in the ground now.
+  double penetration(std::size_t robot) const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace nao::sim
