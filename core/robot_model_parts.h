@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "core/config.h"
+#include "core/robot_model.h"
+#include "core/robot_model_urdf.h"
+
+namespace nao {
+
+// The files of a robot's folder, one reader each. All throw InputError with file and line.
+
+/// body.yaml: what a URDF can not say. Fills everything but postures and cameras.
+void readBody(const std::string& file, const UrdfRobot& urdf, RobotModel& model);
+
+/// The `drives` and `actuators` of body.yaml, and with them the coordinates and aliases.
+void readActuators(Config& body, const UrdfRobot& urdf, RobotModel& model);
+
+/// postures.yaml; every posture gives every actuator an angle within its range.
+void readPostures(const std::string& file, RobotModel& model);
+
+/// cameras.yaml; each camera is a frame of the model as well.
+void readCameras(const std::string& file, RobotModel& model);
+
+/// The joint or body named at `key`, else an InputError.
+Joint jointAt(Config& config, const std::string& key, const RobotModel& model);
+int bodyAt(Config& config, const std::string& key, const RobotModel& model);
+
+}  // namespace nao
