@@ -19,9 +19,9 @@ using RequestId = std::uint64_t;
 /// Moves without booking the joints; a later request takes over. (setAngles, changeAngles)
 struct SetAngles {
   std::vector<Joint> joints;
-  std::vector<double> angles;      // [rad], one per joint
-  std::vector<double> fraction;    // of the joint's maximum speed, (0, 1], one per joint
-  bool relative = false;           // changeAngles: to the present command
+  std::vector<double> angles;    // [rad], one per joint
+  std::vector<double> fraction;  // of the joint's maximum speed, (0, 1], one per joint
+  bool relative = false;         // changeAngles: to the present command
 };
 
 /// One cubic piece's handle, relative to its key. (angleInterpolationBezier)
@@ -80,7 +80,7 @@ struct GoToPosture {
 };
 
 struct MoveTo {
-  Pose2 target;  // in R
+  Pose2 target;                // in R
   std::optional<double> time;  // [s]
   GaitConfig config;
 };
@@ -96,7 +96,14 @@ struct MoveInit {};  // to the pose from which walking starts
 struct StopMove {};
 struct KillMove {};
 
-/// Ends one request (kill, cancel) or all of them; joints keep their last command.
+/// Whether the arms swing with the steps; both do until told otherwise.
+struct SetMoveArms {
+  bool left = true;
+  bool right = true;
+};
+
+/// Ends one request (kill, cancel) or all of them; joints keep their last command, a walk comes to
+/// a stand.
 struct Kill {
   RequestId id = 0;
 };
@@ -105,7 +112,7 @@ struct KillAll {};
 using MotionAction =
     std::variant<SetAngles, Interpolate, InterpolateWithSpeed, SetStiffness, InterpolateStiffness,
                  WakeUp, Rest, GoToPosture, MoveTo, Move, MoveToward, MoveInit, StopMove, KillMove,
-                 Kill, KillAll>;
+                 SetMoveArms, Kill, KillAll>;
 
 /// Everything a client can ask of the motion engine, checked for names, shapes and ranges before
 /// it is posted.

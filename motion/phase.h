@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+
+#include "core/robot_io.h"
+#include "core/robot_model.h"
+#include "motion/joint_set.h"
+#include "motion/stiffness.h"
+
+namespace nao::motion {
+
+/// What a phase works on: the robot as commanded and as measured in this cycle.
+struct Body {
+  const RobotModel& model;
+  JointArray<double> angle;  // [rad] the command in the making
+  Stiffness stiffness;
+  SensorFrame measured;
+  bool upright = true;  // neither falling nor fallen
+  bool awake = false;
+
+  explicit Body(const RobotModel& robot)
+      : model(robot), angle(robot.jointCount()), stiffness(robot.jointCount()) {}
+};
+
+/// One stretch of a motion: keys to follow, a glide to a posture, a stiffness ramp, a walk.
+/// Lives on the simulation thread. begin() once, from where the robot then is; then advance()
+/// once per cycle, the first time in the cycle of begin(), until it no longer says Running.
+class Phase {
+ public:
+  enum class Progress { Running, Done, Failed };
+
+  virtual ~Phase() = default;
+  virtual void begin(Body& body) = 0;
+
+  /// One cycle of `dt` [s]; writes the angles of joints in `mine` only.
+  virtual Progress advance(double dt, const JointSet& mine, Body& body) = 0;
+
+  /// Why advance() said Failed, one sentence.
+  virtual std::string failure() const { return {}; }
+};
+
+}  // namespace nao::motion

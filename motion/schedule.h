@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "motion/motion_request.h"
+#include "motion/motion_state.h"
+#include "motion/phase.h"
+
+namespace nao::motion {
+
+/// A motion that books joints from its start to its end.
+struct Job {
+  RequestId id = 0;
+  std::string name;  // as getTaskList shows it
+  JointSet joints;
+  std::unique_ptr<Phase> phase;
+  bool has_outcome = true;  // false: whoever added it reports how it ends
+};
+
+/// The motions under way and those that wait for their joints. A job starts when no running job
+/// and no job that waits longer books a joint of its own, so nobody is overtaken for ever.
+class Schedule {
+ public:
+  void add(Job job) { waiting_.push_back(std::move(job)); }
+
+  /// One cycle of `dt` [s]: starts what may start and moves what runs.
+  void advance(double dt, Body& body);
+
+  /// A joint that a setpoint takes away from the running jobs; they go on with the others.
+  void release(Joint joint);
+
+  /// Removes a job, running or waiting; false if there is none of this number.
+  bool kill(RequestId id);
+  void killAll();
+
+  JointSet booked() const;          // by running jobs
+  std::vector<Task> tasks() const;  // running jobs
+  bool isIdle() const { return running_.empty() && waiting_.empty(); }
+
+  /// How jobs ended since the last call, in order.
+  std::vector<MotionOutcome> takeOutcomes();
+
+ private:
+  void startWaiting(Body& body);
+  void end(const Job& job, MotionOutcome::Kind kind, std::string reason = {});
+
+  std::vector<Job> running_;
+  std::vector<Job> waiting_;
+  std::vector<MotionOutcome> outcomes_;
+};
+
+}  // namespace nao::motion
