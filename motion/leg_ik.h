@@ -48,6 +48,9 @@ class LegIk {
   /// yaw-pitch angle, the torso staying where X_WT has it. Zero if none is found within 60 degrees.
   double calcEqualYaw(const Pose& X_WT, const Pose& X_WLs, const Pose& X_WRs) const;
 
+  /// From hip to ankle, stretched [m].
+  double legLength() const { return legs_[0].thigh.norm() + legs_[0].tibia.norm(); }
+
   /// Writes a solution into the legs' entries of a command.
   void apply(const LegSolution& solution, JointArray<double>& angle) const;
 

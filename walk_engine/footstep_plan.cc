@@ -1,0 +1,183 @@
+#include "walk_engine/footstep_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nao::walk {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kSamePlace = 1e-6;  // [m], [rad] below anything a command can resolve
+
+bool same(const Pose2& a, const Pose2& b) {
+  return std::hypot(a.x - b.x, a.y - b.y) < kSamePlace &&
+         std::abs(wrapAngle(a.theta - b.theta)) < kSamePlace;
+}
+
+// Where R would be if the other foot stood beside this one.
+Pose2 placeBeside(const Pose2& sole, Foot foot) {
+  return compose(sole, {0, -sideOf(foot) * kFootSeparation / 2, 0});
+}
+
+// Beside the supporting foot; nothing if the swinging one already stands there.
+std::optional<Pose2> closeFeet(const FeetPlaces& feet, Foot swing) {
+  const Foot support = otherFoot(swing);
+  const Pose2 beside = soleAt(placeBeside(feet[index(support)], support), swing);
+  if (same(beside, feet[index(swing)])) return std::nullopt;
+  return beside;
+}
+
+std::optional<Pose2> stepTowards(const Goal& goal, const FeetPlaces& feet, Foot swing) {
+  const Pose2& support = feet[index(otherFoot(swing))];
+  const Pose2 wanted = soleAt(goal.target, swing);
+  if (same(wanted, feet[index(swing)]) && same(soleAt(goal.target, otherFoot(swing)), support)) {
+    return std::nullopt;
+  }
+  const Pose2 direct = relativeTo(support, wanted);
+  if (same(direct, clipStep(direct, swing, goal.config))) return wanted;
+  const Pose2 base = placeBeside(support, otherFoot(swing));
+  const StepFractions fractions = fractionsTowards(relativeTo(base, goal.target), goal.config);
+  return compose(support, calcStep(fractions, swing, goal.config));
+}
+
+double smooth(double s) { return s * s * (3 - 2 * s); }
+
+}  // namespace
+
+Pose2 robotPlace(const FeetPlaces& feet) {
+  const double turn = wrapAngle(feet[1].theta - feet[0].theta);
+  return {0.5 * (feet[0].x + feet[1].x), 0.5 * (feet[0].y + feet[1].y),
+          wrapAngle(feet[0].theta + 0.5 * turn)};
+}
+
+std::optional<Pose2> calcNextPlace(const Goal& goal, const FeetPlaces& feet, Foot swing) {
+  switch (goal.kind) {
+    case Goal::Kind::Stand:
+      return closeFeet(feet, swing);
+    case Goal::Kind::Velocity:
+      return compose(feet[index(otherFoot(swing))], calcStep(goal.fractions, swing, goal.config));
+    case Goal::Kind::Target:
+      return stepTowards(goal, feet, swing);
+  }
+  return std::nullopt;
+}
+
+Foot chooseFirstFoot(const Goal& goal, const FeetPlaces& feet) {
+  StepFractions way = goal.fractions;
+  if (goal.kind == Goal::Kind::Target) {
+    way = fractionsTowards(relativeTo(robotPlace(feet), goal.target), goal.config);
+  }
+  const double left = way.y + way.theta;
+  return left < -1e-9 ? Foot::Right : Foot::Left;
+}
+
+FootstepPlan::FootstepPlan(const Tuning& tuning, double tick_seconds)
+    : tuning_(tuning), tick_seconds_(tick_seconds) {
+  steps_.reserve(32);
+}
+
+int FootstepPlan::ticks(double seconds) const {
+  return std::max(1, static_cast<int>(std::lround(seconds / tick_seconds_)));
+}
+
+Vector2d FootstepPlan::zmpOf(const Pose2& sole, Foot foot) const {
+  const Pose2 point = compose(sole, {tuning_.zmp_x, sideOf(foot) * tuning_.zmp_y, 0});
+  return {point.x, point.y};
+}
+
+Vector2d FootstepPlan::restZmp() const {
+  return 0.5 * (zmpOf(feet_[0], Foot::Left) + zmpOf(feet_[1], Foot::Right));
+}
+
+void FootstepPlan::reset(const FeetPlaces& feet, std::int64_t now) {
+  feet_ = feet;
+  steps_.clear();
+  goal_ = Goal();
+  complete_ = true;
+  stand_zmp_ = restZmp();
+  stand_since_ = now - ticks(tuning_.end_double_support);
+}
+
+void FootstepPlan::follow(const Goal& goal, std::int64_t now) {
+  advance(now, now);
+  goal_ = goal;
+  complete_ = false;
+  if (steps_.size() > 1) steps_.erase(steps_.begin() + 1, steps_.end());
+  if (!steps_.empty()) return;
+  // From standing, perhaps not quite at rest yet: the weight first goes over to one foot.
+  const Vector2d zmp = calcZmp(now);
+  stand_since_ = now;
+  stand_zmp_ = zmp;
+}
+
+FeetPlaces FootstepPlan::lastFeet() const {
+  FeetPlaces feet = feet_;
+  for (const PlannedStep& step : steps_) feet[index(step.swing)] = step.to;
+  return feet;
+}
+
+FeetPlaces FootstepPlan::nextFeet() const {
+  FeetPlaces feet = feet_;
+  if (!steps_.empty()) feet[index(steps_.front().swing)] = steps_.front().to;
+  return feet;
+}
+
+std::int64_t FootstepPlan::end() const {
+  return steps_.empty() ? stand_since_ : steps_.back().end();
+}
+
+// One more step at the end of the plan; false if the goal asks for none.
+bool FootstepPlan::append() {
+  const FeetPlaces feet = lastFeet();
+  const Foot swing = steps_.empty() ? chooseFirstFoot(goal_, feet) : otherFoot(steps_.back().swing);
+  const std::optional<Pose2> place = calcNextPlace(goal_, feet, swing);
+  if (!place) return false;
+  const Foot support = otherFoot(swing);
+  const int period = ticks(calcStepPeriod(goal_.config));
+  PlannedStep step;
+  step.swing = swing;
+  step.from = feet[index(swing)];
+  step.to = *place;
+  step.start = end();
+  step.double_support = ticks(tuning_.double_support_share * period * tick_seconds_);
+  step.single_support = period - step.double_support;
+  if (steps_.empty()) step.double_support = ticks(tuning_.start_double_support);
+  step.height = goal_.config.step_height;
+  step.zmp_from = steps_.empty() ? stand_zmp_ : steps_.back().zmp_to;
+  step.zmp_to = zmpOf(feet[index(support)], support);
+  steps_.push_back(step);
+  return true;
+}
+
+void FootstepPlan::advance(std::int64_t now, std::int64_t horizon) {
+  while (!complete_ && end() <= horizon) complete_ = !append();
+  while (!steps_.empty() && steps_.front().end() <= now) {
+    const PlannedStep& done = steps_.front();
+    feet_[index(done.swing)] = done.to;
+    stand_since_ = done.end();
+    stand_zmp_ = done.zmp_to;
+    steps_.erase(steps_.begin());
+  }
+}
+
+Vector2d FootstepPlan::calcZmp(std::int64_t tick) const {
+  for (const PlannedStep& step : steps_) {
+    if (tick >= step.end()) continue;
+    const double s =
+        std::clamp(static_cast<double>(tick - step.start) / step.double_support, 0., 1.);
+    return step.zmp_from + s * (step.zmp_to - step.zmp_from);
+  }
+  const Vector2d last = steps_.empty() ? stand_zmp_ : steps_.back().zmp_to;
+  const FeetPlaces feet = lastFeet();
+  const Vector2d rest = 0.5 * (zmpOf(feet[0], Foot::Left) + zmpOf(feet[1], Foot::Right));
+  const double settled =
+      static_cast<double>(tick - end()) / (0.5 * ticks(tuning_.end_double_support));
+  return last + smooth(std::clamp(settled, 0.0, 1.0)) * (rest - last);
+}
+
+bool FootstepPlan::atRest(std::int64_t now) const {
+  return steps_.empty() && complete_ && now >= stand_since_ + ticks(tuning_.end_double_support);
+}
+
+}  // namespace nao::walk

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "motion/gait.h"
+#include "walk_engine/step_rules.h"
+#include "walk_engine/tuning.h"
+
+namespace nao::walk {
+
+/// What the steps are for.
+struct Goal {
+  enum class Kind { Stand, Velocity, Target };
+  Kind kind = Kind::Stand;
+  StepFractions fractions;  // of Velocity
+  Pose2 target;             // of Target: where R shall stand, in the odometry frame
+  motion::GaitConfig config;
+};
+
+using FeetPlaces = std::array<Pose2, 2>;  // soles by Foot, in the odometry frame
+
+/// The frame R of feet at these places.
+Pose2 robotPlace(const FeetPlaces& feet);
+
+/// Where `swing` lands next on the way to the goal; nothing once the goal is reached and the feet
+/// stand side by side.
+std::optional<Pose2> calcNextPlace(const Goal& goal, const FeetPlaces& feet, Foot swing);
+
+/// The foot to begin with: the one on the side the robot turns or goes to.
+Foot chooseFirstFoot(const Goal& goal, const FeetPlaces& feet);
+
+/// One step: the weight goes over to the supporting foot, then the other one swings.
+struct PlannedStep {
+  Foot swing = Foot::Left;
+  Pose2 from, to;                    // of the swinging sole, in the odometry frame
+  std::int64_t start = 0;            // [ticks]
+  int double_support = 0;            // [ticks]
+  int single_support = 0;            // [ticks]
+  double height = 0;                 // [m] of the swing
+  Eigen::Vector2d zmp_from, zmp_to;  // [m] moves over during double support, then rests
+  std::int64_t lift() const { return start + double_support; }
+  std::int64_t end() const { return lift() + single_support; }
+};
+
+/// The steps from now on and the zero moment point they ask for, on a clock of ticks of one
+/// control cycle each. The step under way never changes; later ones follow the newest goal. After
+/// the last step the point moves between the feet and stays there.
+class FootstepPlan {
+ public:
+  FootstepPlan(const Tuning& tuning, double tick_seconds);
+
+  /// Both feet stand here, the body is at rest; no steps.
+  void reset(const FeetPlaces& feet, std::int64_t now);
+
+  /// Plans towards `goal` after the step under way.
+  void follow(const Goal& goal, std::int64_t now);
+
+  /// Ends steps that are over at `now` and plans as far as `horizon`.
+  void advance(std::int64_t now, std::int64_t horizon);
+
+  /// The step under way, or nothing while standing.
+  const PlannedStep* current() const { return steps_.empty() ? nullptr : &steps_.front(); }
+  const std::vector<PlannedStep>& steps() const { return steps_; }
+
+  /// Where the feet stand; a swinging foot counts where it lifted.
+  const FeetPlaces& feet() const { return feet_; }
+  /// The feet after the step under way.
+  FeetPlaces nextFeet() const;
+
+  Eigen::Vector2d calcZmp(std::int64_t tick) const;
+  /// No steps, and the zero moment point has come to rest before `now`.
+  bool atRest(std::int64_t now) const;
+
+ private:
+  bool append();
+  FeetPlaces lastFeet() const;
+  std::int64_t end() const;
+  Eigen::Vector2d zmpOf(const Pose2& sole, Foot foot) const;
+  Eigen::Vector2d restZmp() const;
+  int ticks(double seconds) const;
+
+  Tuning tuning_;
+  double tick_seconds_;
+  Goal goal_;
+  FeetPlaces feet_;
+  std::vector<PlannedStep> steps_;                       // the first may be under way
+  bool complete_ = true;                                 // the goal asks for no further steps
+  std::int64_t stand_since_ = 0;                         // tick at which the last step ended
+  Eigen::Vector2d stand_zmp_ = Eigen::Vector2d::Zero();  // [m] at that tick
+};
+
+}  // namespace nao::walk

@@ -1,0 +1,148 @@
+#include "walk_engine/step_rules.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nao::walk {
+namespace {
+
+using Eigen::Vector2d;
+using motion::GaitConfig;
+
+constexpr double kMinStepPeriod = 0.42;  // [s]
+constexpr double kMaxStepPeriod = 0.60;  // [s]
+
+// The box ALMotion draws round a left foot, in the sole's frame [m]; a right one is its mirror.
+constexpr double kBoxFront = 0.11;
+constexpr double kBoxRear = -0.047;
+constexpr double kBoxOuter = 0.05;
+constexpr double kBoxInner = -0.038;
+
+std::array<Vector2d, 4> footBox(const Pose2& place, Foot foot) {
+  const double side = sideOf(foot);
+  const std::array<Vector2d, 4> corners = {
+      Vector2d{kBoxFront, kBoxOuter}, Vector2d{kBoxFront, kBoxInner}, Vector2d{kBoxRear, kBoxInner},
+      Vector2d{kBoxRear, kBoxOuter}};
+  std::array<Vector2d, 4> box;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Pose2 corner = compose(place, {corners[i].x(), side * corners[i].y(), 0});
+    box[i] = {corner.x, corner.y};
+  }
+  return box;
+}
+
+// Whether a line parallel to an edge of `a` separates the boxes.
+bool separates(const std::array<Vector2d, 4>& a, const std::array<Vector2d, 4>& b) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Vector2d direction = a[i + 1] - a[i];
+    double a_low = 1e9, a_high = -1e9, b_low = 1e9, b_high = -1e9;
+    for (std::size_t k = 0; k < 4; ++k) {
+      a_low = std::min(a_low, direction.dot(a[k]));
+      a_high = std::max(a_high, direction.dot(a[k]));
+      b_low = std::min(b_low, direction.dot(b[k]));
+      b_high = std::max(b_high, direction.dot(b[k]));
+    }
+    if (a_high < b_low || b_high < a_low) return true;
+  }
+  return false;
+}
+
+// The largest turn towards `theta` at which the boxes do not meet.
+double clipTurn(Pose2 step, Foot swing) {
+  if (!feetCollide(step, swing)) return step.theta;
+  double clear = 0;
+  double meeting = step.theta;
+  for (int i = 0; i < 40; ++i) {
+    step.theta = 0.5 * (clear + meeting);
+    (feetCollide(step, swing) ? meeting : clear) = step.theta;
+  }
+  return clear;
+}
+
+double clipFraction(double fraction) { return std::clamp(fraction, -1.0, 1.0); }
+
+// The motion that, kept up in the moving frame, ends at `target` after a time of 1.
+motion::Velocity2 arcTo(const Pose2& target) {
+  const double half = 0.5 * target.theta;
+  const double scale = std::abs(half) < 1e-9 ? 1 : half / std::tan(half);
+  return {scale * target.x + half * target.y, -half * target.x + scale * target.y, target.theta};
+}
+
+double ratio(double part, double whole) { return whole == 0 ? 0 : part / std::abs(whole); }
+
+}  // namespace
+
+Pose2 soleAt(const Pose2& place, Foot foot) {
+  return compose(place, {0, sideOf(foot) * kFootSeparation / 2, 0});
+}
+
+double calcStepPeriod(const GaitConfig& config) {
+  const double frequency = std::clamp(config.max_step_frequency, 0.0, 1.0);
+  return kMaxStepPeriod + frequency * (kMinStepPeriod - kMaxStepPeriod);
+}
+
+bool feetCollide(const Pose2& step, Foot swing) {
+  const auto moving = footBox(step, swing);
+  const auto standing = footBox({}, otherFoot(swing));
+  return !separates(moving, standing) && !separates(standing, moving);
+}
+
+Pose2 clipStep(const Pose2& step, Foot swing, const GaitConfig& config) {
+  const double side = sideOf(swing);
+  double x = std::clamp(step.x, config.min_step_x, config.max_step_x);
+  double apart = std::clamp(side * step.y, kMinFootSeparation, config.max_step_y);
+  const double theta = std::clamp(step.theta, -config.max_step_theta, config.max_step_theta);
+  const double beyond = std::max(0.0, apart - kFootSeparation);
+  const double along = ratio(x, x < 0 ? config.min_step_x : config.max_step_x);
+  const double across = ratio(beyond, config.max_step_y - kFootSeparation);
+  const double radius = std::hypot(along, across);
+  if (radius > 1) {
+    x /= radius;
+    if (beyond > 0) apart = kFootSeparation + beyond / radius;
+  }
+  Pose2 clipped{x, side * apart, theta};
+  clipped.theta = clipTurn(clipped, swing);
+  return clipped;
+}
+
+Pose2 calcStep(const StepFractions& fractions, Foot swing, const GaitConfig& config) {
+  const double fx = clipFraction(fractions.x);
+  const double reach_x = fx < 0 ? -config.min_step_x : config.max_step_x;
+  const double y = sideOf(swing) * kFootSeparation +
+                   clipFraction(fractions.y) * (config.max_step_y - kFootSeparation);
+  const double theta = clipFraction(fractions.theta) * config.max_step_theta;
+  return clipStep({fx * reach_x, y, theta}, swing, config);
+}
+
+Pose2 calcPairReach(const StepFractions& signs, const GaitConfig& config) {
+  const auto full = [](double value) { return value < 0 ? -1.0 : 1.0; };
+  Pose2 reach;
+  for (const Foot foot : {Foot::Left, Foot::Right}) {
+    reach.x += std::abs(calcStep({full(signs.x), 0, 0}, foot, config).x);
+    reach.y += calcStep({0, full(signs.y), 0}, foot, config).y;
+    reach.theta += std::abs(calcStep({0, 0, full(signs.theta)}, foot, config).theta);
+  }
+  reach.y = std::abs(reach.y);
+  return reach;
+}
+
+StepFractions fractionsFor(const motion::Velocity2& velocity, const GaitConfig& config) {
+  const Pose2 reach = calcPairReach({velocity.x, velocity.y, velocity.theta}, config);
+  const double pair = 2 * calcStepPeriod(config);
+  return {clipFraction(ratio(velocity.x * pair, reach.x)),
+          clipFraction(ratio(velocity.y * pair, reach.y)),
+          clipFraction(ratio(velocity.theta * pair, reach.theta))};
+}
+
+StepFractions fractionsTowards(const Pose2& target, const GaitConfig& config) {
+  const motion::Velocity2 arc = arcTo(target);
+  const Pose2 reach = calcPairReach({arc.x, arc.y, arc.theta}, config);
+  const double x = ratio(arc.x, reach.x);
+  const double y = ratio(arc.y, reach.y);
+  const double theta = ratio(arc.theta, reach.theta);
+  const double pairs = std::max(
+      {std::abs(x), std::abs(y), std::abs(theta), std::hypot(x, y), 1e-9});  // of steps to go
+  return {x / pairs, y / pairs, theta / pairs};
+}
+
+}  // namespace nao::walk

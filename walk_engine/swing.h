@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/frames.h"
+#include "walk_engine/tuning.h"
+
+namespace nao::walk {
+
+/// Where the swinging sole is, flat: from `from` to `to`, both on the floor, `progress` in [0, 1],
+/// `height` [m] at the middle. It rises before it moves and lands after it has moved, at rest at
+/// both ends. z is the height over the floor.
+Pose calcSwing(const Pose2& from, const Pose2& to, double progress, double height,
+               const Tuning& tuning);
+
+/// A flat pose on the floor.
+Pose onFloor(const Pose2& place);
+
+}  // namespace nao::walk

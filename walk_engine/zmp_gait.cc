@@ -1,0 +1,269 @@
+#include "walk_engine/zmp_gait.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "walk_engine/footstep_plan.h"
+#include "walk_engine/preview_control.h"
+#include "walk_engine/stance.h"
+#include "walk_engine/step_rules.h"
+#include "walk_engine/swing.h"
+
+namespace nao::walk {
+namespace {
+
+using motion::GaitConfig;
+using motion::Velocity2;
+
+constexpr double kGravity = 9.80665;  // [m/s^2]
+constexpr double kMinRise = 0.1;      // [s] into the walking pose, at least
+constexpr double kRiseSpeed = 0.35;   // of a joint's top speed, on average at most
+constexpr double kAtRest = 0.002;     // [m/s] of the centre of mass
+constexpr double kSmallAngle = 1e-4;  // [rad] a walking pose already taken
+
+double minimumJerk(double s) { return s * s * s * (10 + s * (6 * s - 15)); }
+
+/// The legs' way into the walking pose, in joint space.
+struct Rise {
+  JointArray<double> from;  // [rad]
+  JointArray<double> to;
+  int ticks = 0;
+  int done = 0;
+};
+
+class ZmpGait final : public motion::Gait {
+ public:
+  ZmpGait(std::shared_ptr<const RobotModel> model, const Tuning& tuning);
+
+  void walkTo(const Pose2& target, const GaitConfig& config) override;
+  void walkToward(double x, double y, double theta, const GaitConfig& config) override;
+  void walkAt(const Velocity2& velocity, const GaitConfig& config) override;
+  void stop() override;
+  void kill() override;
+  bool active() const override { return phase_ != Phase::Idle; }
+  void update(const SensorFrame& measured, JointCommand& command) override;
+  Pose2 position() const override { return position_; }
+  Pose2 nextPosition() const override;
+  Velocity2 velocity() const override;
+  std::vector<motion::Footstep> footsteps() const override;
+
+ private:
+  enum class Phase { Idle, Requested, Rising, Walking };
+
+  void pursue(const Goal& goal);
+  void begin(const JointCommand& command);
+  void rise(JointCommand& command);
+  void walk(JointCommand& command);
+  StanceDemand calcDemand() const;
+  void moveCom();
+  void swingArms(JointCommand& command);
+  Pose2 placeOf(Foot foot) const;
+
+  std::shared_ptr<const RobotModel> model_;
+  Tuning tuning_;
+  double dt_;  // [s] of a tick
+  StanceSolver stance_;
+  double com_height_;  // [m]
+  PreviewControl preview_;
+  FootstepPlan plan_;
+
+  Phase phase_ = Phase::Idle;
+  Goal goal_;
+  std::int64_t tick_ = 0;
+  SimTime now_{};
+  Rise rise_;
+  PreviewControl::State com_x_, com_y_;
+  std::vector<double> zmp_x_, zmp_y_;  // [m] reference over the preview
+  Pose2 position_;
+  std::array<std::optional<Joint>, 2> shoulder_;  // pitch, by side
+  std::array<double, 2> shoulder_rest_{};         // [rad] where the swing is about
+};
+
+ZmpGait::ZmpGait(std::shared_ptr<const RobotModel> model, const Tuning& tuning)
+    : model_(std::move(model)),
+      tuning_(tuning),
+      dt_(toSeconds(model_->cycle)),
+      stance_(model_),
+      com_height_(stance_.calcComHeight(tuning.knee_bend, tuning.torso_pitch,
+                                        JointArray<double>(model_->jointCount(), 0.0))),
+      preview_(com_height_, kGravity, dt_, static_cast<int>(std::lround(tuning.preview / dt_))),
+      plan_(tuning, dt_),
+      zmp_x_(static_cast<std::size_t>(preview_.samples()) + 1),
+      zmp_y_(zmp_x_.size()),
+      shoulder_{model_->findJoint("LShoulderPitch"), model_->findJoint("RShoulderPitch")} {}
+
+void ZmpGait::walkTo(const Pose2& target, const GaitConfig& config) {
+  Goal goal;
+  goal.kind = Goal::Kind::Target;
+  goal.target = compose(nextPosition(), target);
+  goal.config = config;
+  pursue(goal);
+}
+
+void ZmpGait::walkToward(double x, double y, double theta, const GaitConfig& config) {
+  Goal goal;
+  goal.kind = Goal::Kind::Velocity;
+  goal.fractions = {x, y, theta};
+  goal.config = config;
+  if (std::abs(x) + std::abs(y) + std::abs(theta) < 1e-6) return stop();
+  pursue(goal);
+}
+
+void ZmpGait::walkAt(const Velocity2& velocity, const GaitConfig& config) {
+  const StepFractions fractions = fractionsFor(velocity, config);
+  walkToward(fractions.x, fractions.y, fractions.theta, config);
+}
+
+void ZmpGait::stop() {
+  if (phase_ != Phase::Walking) return kill();
+  Goal goal;
+  goal.config = goal_.config;
+  pursue(goal);
+}
+
+void ZmpGait::kill() { phase_ = Phase::Idle; }
+
+void ZmpGait::pursue(const Goal& goal) {
+  goal_ = goal;
+  if (phase_ == Phase::Idle) phase_ = Phase::Requested;
+  if (phase_ == Phase::Walking) plan_.follow(goal_, tick_);
+}
+
+void ZmpGait::update(const SensorFrame& measured, JointCommand& command) {
+  now_ = measured.time;
+  if (phase_ == Phase::Requested) begin(command);
+  if (phase_ == Phase::Rising) return rise(command);
+  if (phase_ == Phase::Walking) walk(command);
+}
+
+// The feet stay where the commanded angles have them; the legs will move into the pose that holds
+// the centre of mass between them.
+void ZmpGait::begin(const JointCommand& command) {
+  const auto X_RS = stance_.calcSoles(command.angle);
+  FeetPlaces feet;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Vec3 p = X_RS[i].translation();
+    feet[i] = compose(position_, {p.x(), p.y(), rpyOf(X_RS[i].linear()).z()});
+  }
+  position_ = robotPlace(feet);
+  plan_.reset(feet, tick_);
+  const Eigen::Vector2d zmp = plan_.calcZmp(tick_);
+  com_x_ = {zmp.x(), 0, 0, 0};
+  com_y_ = {zmp.y(), 0, 0, 0};
+  rise_.from = rise_.to = command.angle;
+  stance_.solve(calcDemand(), rise_.to);
+  double seconds = 0;
+  double way = 0;  // [rad]
+  for (std::size_t i = 0; i < model_->jointCount(); ++i) {
+    const double turn = std::abs(rise_.to[i] - rise_.from[i]);
+    const double speed = kRiseSpeed * model_->actuators[i].max_velocity;
+    if (speed > 0) seconds = std::max(seconds, turn / speed);
+    way = std::max(way, turn);
+  }
+  rise_.done = 0;
+  rise_.ticks = way < kSmallAngle ? 0 : static_cast<int>(std::max(kMinRise, seconds) / dt_) + 1;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (shoulder_[i]) shoulder_rest_[i] = command.angle[*shoulder_[i]];
+  }
+  phase_ = Phase::Rising;
+}
+
+void ZmpGait::rise(JointCommand& command) {
+  ++tick_;
+  ++rise_.done;
+  const double s = rise_.ticks == 0 ? 1 : static_cast<double>(rise_.done) / rise_.ticks;
+  const double part = minimumJerk(std::min(1.0, s));
+  for (std::size_t i = 0; i < model_->jointCount(); ++i) {
+    if (rise_.to[i] == rise_.from[i]) continue;
+    command.angle[i] = rise_.from[i] + part * (rise_.to[i] - rise_.from[i]);
+  }
+  if (rise_.done < rise_.ticks) return;
+  phase_ = Phase::Walking;
+  plan_.follow(goal_, tick_);
+}
+
+void ZmpGait::walk(JointCommand& command) {
+  ++tick_;
+  plan_.advance(tick_, tick_ + preview_.samples() + 1);
+  moveCom();
+  swingArms(command);
+  stance_.solve(calcDemand(), command.angle);
+  position_ = robotPlace({placeOf(Foot::Left), placeOf(Foot::Right)});
+  const bool calm = std::hypot(com_x_.velocity, com_y_.velocity) < kAtRest;
+  if (plan_.atRest(tick_) && calm) phase_ = Phase::Idle;
+}
+
+void ZmpGait::moveCom() {
+  for (std::size_t j = 0; j < zmp_x_.size(); ++j) {
+    const Eigen::Vector2d zmp = plan_.calcZmp(tick_ + static_cast<std::int64_t>(j));
+    zmp_x_[j] = zmp.x();
+    zmp_y_[j] = zmp.y();
+  }
+  preview_.step(zmp_x_, com_x_);
+  preview_.step(zmp_y_, com_y_);
+}
+
+StanceDemand ZmpGait::calcDemand() const {
+  StanceDemand demand;
+  demand.com = Vec3(com_x_.position, com_y_.position, com_height_);
+  demand.roll = goal_.config.torso_wx;
+  demand.pitch = tuning_.torso_pitch + goal_.config.torso_wy;
+  for (std::size_t i = 0; i < 2; ++i) demand.X_OS[i] = onFloor(plan_.feet()[i]);
+  const PlannedStep* step = plan_.current();
+  if (step && tick_ > step->lift()) {
+    const double progress = static_cast<double>(tick_ - step->lift()) / step->single_support;
+    demand.X_OS[index(step->swing)] =
+        calcSwing(step->from, step->to, progress, step->height, tuning_);
+  }
+  return demand;
+}
+
+// The sole's place on the floor now, swinging or not.
+Pose2 ZmpGait::placeOf(Foot foot) const {
+  const Pose X_OS = calcDemand().X_OS[index(foot)];
+  return {X_OS.translation().x(), X_OS.translation().y(), rpyOf(X_OS.linear()).z()};
+}
+
+// Each arm swings with the opposite foot.
+void ZmpGait::swingArms(JointCommand& command) {
+  const Pose2 ahead = relativeTo(placeOf(Foot::Right), placeOf(Foot::Left));
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!shoulder_[i]) continue;
+    const double side = i == 0 ? 1 : -1;
+    command.angle[*shoulder_[i]] = shoulder_rest_[i] + side * tuning_.arm_swing * ahead.x;
+  }
+}
+
+Pose2 ZmpGait::nextPosition() const {
+  return phase_ == Phase::Walking ? robotPlace(plan_.nextFeet()) : position_;
+}
+
+Velocity2 ZmpGait::velocity() const {
+  const PlannedStep* step = phase_ == Phase::Walking ? plan_.current() : nullptr;
+  if (!step) return {};
+  const Pose2 way = relativeTo(robotPlace(plan_.feet()), robotPlace(plan_.nextFeet()));
+  const double period = static_cast<double>(step->end() - step->start) * dt_;
+  return {way.x / period, way.y / period, way.theta / period};
+}
+
+std::vector<motion::Footstep> ZmpGait::footsteps() const {
+  std::vector<motion::Footstep> steps;
+  if (phase_ != Phase::Walking) return steps;
+  for (const PlannedStep& step : plan_.steps()) {
+    const Duration until = (step.end() - tick_) * model_->cycle;
+    steps.push_back({step.swing, step.to, now_ + until});
+  }
+  return steps;
+}
+
+}  // namespace
+
+std::unique_ptr<motion::Gait> makeZmpGait(std::shared_ptr<const RobotModel> model,
+                                          const Tuning& tuning) {
+  if (!motion::LegIk::fits(*model)) return nullptr;
+  return std::make_unique<ZmpGait>(std::move(model), tuning);
+}
+
+}  // namespace nao::walk

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <memory>
+
+#include "core/robot_model.h"
+#include "motion/gait.h"
+#include "walk_engine/tuning.h"
+
+namespace nao::walk {
+
+/// A walk for a robot with a Nao's legs: Aldebaran's step rules, a zero moment point that moves
+/// from foot to foot, a centre of mass that follows it by preview control, and joint angles by
+/// inverse kinematics. Open loop but for the ankles' answer to the gyroscope.
+///
+/// Its first request finds the body in any standing pose: the legs move smoothly into the walking
+/// pose where the feet stand, then the weight goes over and the first foot lifts. It ends with the
+/// feet side by side and the body at rest in the walking pose.
+/// Null if the legs are of another kind.
+std::unique_ptr<motion::Gait> makeZmpGait(std::shared_ptr<const RobotModel> model,
+                                          const Tuning& tuning = {});
+
+}  // namespace nao::walk
