@@ -1,0 +1,22 @@
+#pragma once
+
+#include "camera/raster.h"
+#include "camera/view.h"
+
+namespace nao::camera {
+
+/// A sphere in the camera frame.
+struct SphereInView {
+  Vec3 p_C = Vec3::Zero();  // [m] its centre
+  double radius = 0;        // [m]
+  Pixel color = 0;
+};
+
+/// Paints a sphere by its exact outline, shaded pixel by pixel, its rim by the part of the pixel
+/// it covers. Paint spheres from far to near, after all else, as the rims mix with what is there.
+/// A sphere around the camera is left out.
+/// @param lamp_C towards the light, unit length, in the camera frame
+void paintSphere(const SphereInView& sphere, const Pinhole& lens, const Vec3& lamp_C,
+                 const LinearForm& ground_inverse_depth, Raster& raster);
+
+}  // namespace nao::camera
