@@ -117,7 +117,7 @@ def _jointPlots(joints, samples, steps) -> str:
 
 
 def _pictures(pictures) -> str:
-    return "".join('<figure><img alt="%s" src="data:image/png;base64,%s"><figcaption>%s'
+    return "".join('<figure><img alt="%s" src="data:image/png;base64,%s"/><figcaption>%s'
                    "</figcaption></figure>" % (
                        escape(name), base64.b64encode(data).decode("ascii"), escape(name))
                    for name, data in pictures)
