@@ -1,0 +1,156 @@
+#include "core/world_model.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/check.h"
+#include "tests/core/temporary_folder.h"
+
+namespace nao {
+namespace {
+
+std::shared_ptr<const WorldModel> shipped(const std::string& name) {
+  return loadWorldModel(NAO_SOURCE_DIR "/worlds/" + name);
+}
+
+// The complaint about a world of this text.
+std::string complaintAbout(const std::string& text) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("world.yaml", text);
+  try {
+    loadWorldModel(file);
+  } catch (const InputError& error) {
+    return folder.withoutPath(error.what());
+  }
+  return "no complaint";
+}
+
+std::size_t count(const WorldModel& world, GroundMark::Kind kind) {
+  return static_cast<std::size_t>(
+      std::count_if(world.marks.begin(), world.marks.end(),
+                    [&](const GroundMark& mark) { return mark.kind == kind; }));
+}
+
+TEST(WorldModel, EmptyIsAFloorAndNothingElse) {
+  const auto world = shipped("empty.yaml");
+  EXPECT_EQ(world->name, "empty");
+  EXPECT_DOUBLE_EQ(world->gravity, 9.80665);
+  EXPECT_DOUBLE_EQ(world->ground.stiffness, 30e3);
+  EXPECT_TRUE(world->marks.empty() && world->obstacles.empty() && world->balls.empty());
+}
+
+TEST(WorldModel, Field2011HasSixByFourMetresOfLines) {
+  const auto world = shipped("field_2011.yaml");
+  EXPECT_EQ(world->ground_size, Eigen::Vector2d(7.4, 5.4));
+  EXPECT_EQ(count(*world, GroundMark::Kind::Line), 15u);
+  ASSERT_EQ(count(*world, GroundMark::Kind::Ring), 1u);
+  Eigen::Vector2d farthest = Eigen::Vector2d::Zero();
+  for (const GroundMark& mark : world->marks) {
+    EXPECT_DOUBLE_EQ(mark.width, 0.05);
+    if (mark.kind == GroundMark::Kind::Ring) {
+      EXPECT_DOUBLE_EQ(mark.radius, 0.6);
+      continue;
+    }
+    farthest = farthest.cwiseMax(mark.from.cwiseAbs()).cwiseMax(mark.to.cwiseAbs());
+  }
+  // Line centres at 3 and 2; corners reach half a width further.
+  EXPECT_NEAR(farthest.x(), 3.025, 1e-12);
+  EXPECT_NEAR(farthest.y(), 2.025, 1e-12);
+}
+
+TEST(WorldModel, Field2011IsTheSameFromBothSides) {
+  const auto world = shipped("field_2011.yaml");
+  const auto touches = [](const GroundMark& mark, const Eigen::Vector2d& a,
+                          const Eigen::Vector2d& b) {
+    const auto close = [](const Eigen::Vector2d& p, const Eigen::Vector2d& q) {
+      return (p - q).norm() < 1e-12;
+    };
+    return (close(mark.from, a) && close(mark.to, b)) || (close(mark.from, b) && close(mark.to, a));
+  };
+  for (const GroundMark& mark : world->marks) {
+    if (mark.kind == GroundMark::Kind::Ring) continue;
+    EXPECT_TRUE(
+        std::any_of(world->marks.begin(), world->marks.end(),
+                    [&](const GroundMark& other) { return touches(other, -mark.from, -mark.to); }))
+        << mark.from.transpose() << " to " << mark.to.transpose();
+  }
+}
+
+TEST(WorldModel, Field2011HasAYellowGoalAheadAndABlueOneBehind) {
+  const auto world = shipped("field_2011.yaml");
+  ASSERT_EQ(world->obstacles.size(), 6u);
+  for (const Shape& part : world->obstacles) {
+    EXPECT_EQ(part.kind, Shape::Kind::Cylinder);
+    EXPECT_DOUBLE_EQ(part.size.x(), 0.05);
+    EXPECT_DOUBLE_EQ(std::abs(part.X_BS.translation().x()), 3);
+    const bool ahead = part.X_BS.translation().x() > 0;
+    EXPECT_EQ(part.color.red > part.color.blue, ahead);
+    // A post stands on the ground, the bar lies across 0.8 m above it.
+    const double half_height = 0.5 * part.size.z() * std::abs(part.X_BS.linear()(2, 2));
+    const bool is_post = half_height > 0.1;
+    const double bottom = part.X_BS.translation().z() - (is_post ? half_height : part.size.x());
+    EXPECT_NEAR(bottom, is_post ? 0 : 0.8, 1e-9);
+  }
+}
+
+TEST(WorldModel, Field2011HasTheOrangeBall) {
+  const auto world = shipped("field_2011.yaml");
+  ASSERT_EQ(world->balls.size(), 1u);
+  const Ball& ball = world->balls[0];
+  EXPECT_DOUBLE_EQ(ball.radius, 0.0325);
+  EXPECT_DOUBLE_EQ(ball.mass, 0.055);
+  EXPECT_DOUBLE_EQ(ball.p_W.z(), ball.radius);  // lies on the ground
+  EXPECT_GT(ball.color.red, 200);
+  EXPECT_LT(ball.color.blue, 50);
+}
+
+TEST(WorldModel, ReadsObstaclesAndRobots) {
+  const TemporaryFolder folder;
+  const auto world = loadWorldModel(folder.write("two_boxes.yaml", R"(
+boxes:
+  - {position: [1, 2, 0.5], rpy: [0, 0, 1.5], size: [1, 2, 1], color: [1, 2, 3]}
+spheres:
+  - {position: [0, 0, 1], radius: 0.25}
+robots:
+  - {name: keeper, model: nao_h25_v50, start: [-2.8, 0, 0.5]}
+)"));
+  EXPECT_EQ(world->name, "two_boxes");
+  ASSERT_EQ(world->obstacles.size(), 2u);
+  EXPECT_EQ(world->obstacles[0].size, Vec3(1, 2, 1));
+  EXPECT_NEAR(rpyOf(world->obstacles[0].X_BS.linear()).z(), 1.5, 1e-12);
+  EXPECT_EQ(world->obstacles[0].color.blue, 3);
+  EXPECT_EQ(world->obstacles[1].kind, Shape::Kind::Sphere);
+  EXPECT_EQ(world->robots[0].model, "nao_h25_v50");
+  EXPECT_DOUBLE_EQ(world->robots[0].start.theta, 0.5);
+}
+
+TEST(WorldModel, SaysWhereAndWhatInABrokenFile) {
+  EXPECT_EQ(complaintAbout("name: x\ngravity: up\n"),
+            "world.yaml:2: `gravity`: expected a number in [0, 100], found 'up'");
+  EXPECT_EQ(complaintAbout("name: x\nground:\n  friction: -1\n"),
+            "world.yaml:3: `friction`: expected a number in [0, 10], found '-1'");
+  EXPECT_EQ(complaintAbout("lines:\n  - from: [0, 0]\n    to: [1]\n"),
+            "world.yaml:3: `to`: expected a list of 2 numbers, found 1");
+  EXPECT_EQ(complaintAbout("balls:\n  - {radius: 0.03, position: [0, 0, 0]}\n"),
+            "world.yaml:2: `mass`: missing, expected a number above 0");
+  EXPECT_EQ(complaintAbout("name: x\ngrond: {}\n"),
+            "world.yaml:2: `grond`: unknown key, expected one of balls, boxes, cylinders, "
+            "gravity, ground, lines, name, rings, robots, sky_color, spheres");
+  EXPECT_EQ(complaintAbout("robots:\n"
+                           "  - {name: a, model: m, start: [0, 0, 0]}\n"
+                           "  - {name: a, model: m, start: [1, 0, 0]}\n"),
+            "world.yaml:3: `name`: expected each name once, found 'a' again");
+}
+
+TEST(WorldModel, SaysWhichFileIsMissing) {
+  try {
+    loadWorldModel("/nowhere/moon.yaml");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "/nowhere/moon.yaml: can not be read");
+  }
+}
+
+}  // namespace
+}  // namespace nao
