@@ -74,29 +74,68 @@ void GroundContact::open(std::size_t point, const Vec3& p_W, const Vec3& v_W) {
   Touch& touch = touches_[touch_count_++];
   touch.point = point;
   touch.p_W = p_W;
-  touch.v_W = v_W;
-  if (!anchors_[point].touching) anchors_[point] = {true, p_W.head<2>()};
+  touch.v = v_W;
+  touch.direction = Eigen::Vector2d::UnitX();
   mass_->calcPointJacobian(points_[point].body, p_W, touch.jacobian);
+  Anchor& anchor = anchors_[point];
+  if (!anchor.touching) anchor = {true, false, 0, p_W.head<2>()};
   stick(touch);
+  if (anchor.sliding && v_W.head<2>().norm() > kSlowSliding) slide(touch, anchor.load);
+}
+
+// Turns the horizontal axes of a touch, so that sliding is along its first.
+void GroundContact::turnTo(Touch& touch, const Eigen::Vector2d& direction) const {
+  touch.direction = direction;
+  const double c = direction.x();
+  const double s = direction.y();
+  for (int i = 0; i < touch.jacobian.count; ++i) {
+    double& x = touch.jacobian.row[0][i];
+    double& y = touch.jacobian.row[1][i];
+    const double along = c * x + s * y;
+    y = c * y - s * x;
+    x = along;
+  }
+  touch.v.head<2>() =
+      Eigen::Vector2d(c * touch.v.x() + s * touch.v.y(), c * touch.v.y() - s * touch.v.x());
+}
+
+Vec3 GroundContact::toWorld(const Touch& touch, const Vec3& v) {
+  const double c = touch.direction.x();
+  const double s = touch.direction.y();
+  return {c * v.x() - s * v.y(), s * v.x() + c * v.y(), v.z()};
 }
 
 void GroundContact::stick(Touch& touch) const {
   const Material& m = material_;
   touch.mode = Mode::Stick;
   const Eigen::Vector2d stretch = touch.p_W.head<2>() - anchors_[touch.point].place;
-  const Vec3 next = Vec3(stretch.x(), stretch.y(), touch.p_W.z()) + h_ * touch.v_W;
+  const Vec3 next = Vec3(stretch.x(), stretch.y(), touch.p_W.z()) + h_ * touch.v;
   const Vec3 k(m.tangential_stiffness, m.tangential_stiffness, m.stiffness);
   const Vec3 d(m.tangential_damping, m.tangential_damping, m.damping);
-  touch.now = -k.cwiseProduct(next) - d.cwiseProduct(touch.v_W);
+  touch.now = -k.cwiseProduct(next) - d.cwiseProduct(touch.v);
   touch.change = h_ * k + d;
 }
 
-void GroundContact::slide(Touch& touch, double normal_force) const {
+// mu f_n against the motion: constant along it, and turning with it as the motion turns.
+void GroundContact::slide(Touch& touch, double load) const {
+  const double speed = touch.v.head<2>().norm();
+  const double friction = material_.friction * load;
   touch.mode = Mode::Slide;
-  const double speed = std::max(touch.v_W.head<2>().norm(), kSlowSliding);
-  const double drag = material_.friction * normal_force / speed;
-  touch.now.head<2>() = -drag * touch.v_W.head<2>();
-  touch.change.head<2>().setConstant(drag);
+  if (speed < kSlowSliding) {
+    touch.now.head<2>() = -friction / kSlowSliding * touch.v.head<2>();
+    touch.change.head<2>().setConstant(friction / kSlowSliding);
+    touch.mode = Mode::Brake;
+    return;
+  }
+  turnTo(touch, touch.v.head<2>() / speed);
+  touch.now.head<2>() = Eigen::Vector2d(-friction, 0);
+  touch.change.head<2>() = Eigen::Vector2d(0, friction / speed);
+}
+
+// The same force, falling to nothing as the point comes to rest: it never turns back.
+void GroundContact::brake(Touch& touch) const {
+  touch.mode = Mode::Brake;
+  touch.change.x() = -touch.now.x() / touch.v.x();
 }
 
 void GroundContact::addTo(TreeMatrix& matrix, Eigen::VectorXd& rhs) const {
@@ -112,9 +151,9 @@ void GroundContact::addTo(TreeMatrix& matrix, Eigen::VectorXd& rhs) const {
   }
 }
 
-Vec3 GroundContact::velocityChange(const Touch& touch, const std::vector<int>& parents,
-                                   const Eigen::VectorXd& du) {
+Vec3 GroundContact::velocityChange(const Touch& touch, const Eigen::VectorXd& du) const {
   Vec3 change = Vec3::Zero();
+  const std::vector<int>& parents = mass_->parents();
   int k = 0;
   for (int i = touch.jacobian.leaf; i >= 0; i = parents[static_cast<std::size_t>(i)], ++k) {
     for (int axis = 0; axis < 3; ++axis) change[axis] += touch.jacobian.row[axis][k] * du[i];
@@ -122,28 +161,37 @@ Vec3 GroundContact::velocityChange(const Touch& touch, const std::vector<int>& p
   return change;
 }
 
-bool GroundContact::revise(const Eigen::VectorXd& du) {
+bool GroundContact::revise(const Eigen::VectorXd& du, bool may_open) {
   bool changed = false;
   for (std::size_t t = 0; t < touch_count_; ++t) {
     Touch& touch = touches_[t];
     if (touch.mode == Mode::Open) continue;
-    const Vec3 change = velocityChange(touch, mass_->parents(), du);
+    const Vec3 change = velocityChange(touch, du);
     touch.force = touch.now - touch.change.cwiseProduct(change);
-    changed |= reviseTouch(touch);
+    changed |= !keepsFriction(touch, touch.v.x() + change.x());
+  }
+  if (changed || !may_open) return changed;
+  for (std::size_t t = 0; t < touch_count_; ++t) {
+    Touch& touch = touches_[t];
+    if (touch.mode == Mode::Open || touch.force.z() >= 0) continue;
+    touch.mode = Mode::Open;
+    touch.force.setZero();
+    changed = true;
   }
   return changed;
 }
 
-bool GroundContact::reviseTouch(Touch& touch) {
-  if (touch.force.z() < 0) {
-    touch.mode = Mode::Open;
-    touch.force.setZero();
-    return true;
+// `speed_after` [m/s] is along the touch's first axis at the end of the step.
+bool GroundContact::keepsFriction(Touch& touch, double speed_after) const {
+  const double load = std::max(0.0, touch.force.z());
+  if (touch.mode == Mode::Stick) {
+    if (touch.force.head<2>().norm() <= material_.friction * load) return true;
+    slide(touch, load);
+    return false;
   }
-  const double hold = material_.friction * touch.force.z();
-  if (touch.mode != Mode::Stick || touch.force.head<2>().norm() <= hold) return false;
-  slide(touch, touch.force.z());
-  return true;
+  if (touch.mode != Mode::Slide || speed_after >= 0) return true;
+  brake(touch);
+  return false;
 }
 
 void GroundContact::finish(const Eigen::VectorXd& du) {
@@ -151,17 +199,18 @@ void GroundContact::finish(const Eigen::VectorXd& du) {
   for (std::size_t t = 0; t < touch_count_; ++t) {
     const Touch& touch = touches_[t];
     Anchor& anchor = anchors_[touch.point];
-    if (touch.mode == Mode::Open) {
-      anchor.touching = false;
-      continue;
-    }
-    if (touch.mode == Mode::Slide) {
-      const Vec3 v_W = touch.v_W + velocityChange(touch, mass_->parents(), du);
-      anchor.place = touch.p_W.head<2>() + h_ * v_W.head<2>() +
-                     touch.force.head<2>() / material_.tangential_stiffness;
+    anchor.touching = touch.mode != Mode::Open;
+    if (!anchor.touching) continue;
+    const Vec3 f_W = toWorld(touch, touch.force);
+    anchor.load = std::max(0.0, f_W.z());
+    anchor.sliding = touch.mode != Mode::Stick;
+    if (anchor.sliding) {
+      const Vec3 v_W = toWorld(touch, touch.v + velocityChange(touch, du));
+      anchor.place =
+          touch.p_W.head<2>() + h_ * v_W.head<2>() + f_W.head<2>() / material_.tangential_stiffness;
     }
     const Point& point = points_[touch.point];
-    forces_.push_back({point.body, point.foot, point.p_B, touch.force, -touch.p_W.z()});
+    forces_.push_back({point.body, point.foot, point.p_B, f_W, -touch.p_W.z()});
   }
 }
 

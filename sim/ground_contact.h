@@ -12,12 +12,15 @@ namespace nao::sim {
 ///   normal      f_n = max(0, -k z - d z')
 ///   tangential  f_t = -k_t (x - anchor) - d_t x' while |f_t| <= mu f_n: it really sticks;
 ///               beyond that it slides with mu f_n against the motion, and the anchor follows.
-/// Sliding slower than kSlowSliding is viscous. Points: four corners of each sole and the
-/// model's spheres. The anchors are state: they belong into every snapshot.
+/// A point that was sliding starts from there, with the normal force of the step before, so that
+/// friction lags the load by one step. Points: four corners of each sole and the model's spheres.
+/// The anchors are state: they belong into every snapshot.
 class GroundContact {
  public:
   struct Anchor {
     bool touching = false;
+    bool sliding = false;
+    double load = 0;                                  // [N] normal force of the step before
     Eigen::Vector2d place = Eigen::Vector2d::Zero();  // [m] in W
   };
   struct Force {  // of the ground on the robot, over the step solved last
@@ -38,8 +41,9 @@ class GroundContact {
 
   void addTo(TreeMatrix& matrix, Eigen::VectorXd& rhs) const;
 
-  /// After a solve: lets go of points that would pull, lets points slide that can not hold.
-  bool revise(const Eigen::VectorXd& du);
+  /// After a solve: lets points slide that can not hold; once all agree on that and `may_open`,
+  /// lets go of points that would pull. True if any changed.
+  bool revise(const Eigen::VectorXd& du, bool may_open);
 
   /// Ends the step: moves the anchors.
   void finish(const Eigen::VectorXd& du);
@@ -50,7 +54,7 @@ class GroundContact {
   double lowestPoint(const std::vector<BodyMotion>& motion) const;
 
  private:
-  enum class Mode { Open, Stick, Slide };
+  enum class Mode { Open, Stick, Slide, Brake };  // Brake: slides and comes to rest
   struct Point {
     int body;
     int foot;
@@ -60,20 +64,23 @@ class GroundContact {
   struct Touch {
     std::size_t point;
     Mode mode;
-    Vec3 p_W;     // [m] lowest point of the sphere
-    Vec3 v_W;     // [m/s]
-    Vec3 now;     // [N] at the start of the step, with the velocity carried on
-    Vec3 change;  // [N s/m] their fall per unit of change of velocity
-    Vec3 force;   // [N] over the step
+    Vec3 p_W;                   // [m] lowest point of the sphere
+    Eigen::Vector2d direction;  // x axis of the frame of the rest, in W: along the sliding
+    Vec3 v;                     // [m/s]
+    Vec3 now;                   // [N] at the start of the step, with the velocity carried on
+    Vec3 change;                // [N s/m] their fall per unit of change of velocity
+    Vec3 force;                 // [N] over the step
     MassMatrix::PointJacobian jacobian;
   };
   void addFoot(const FootModel& foot, int index);
   void open(std::size_t point, const Vec3& p_W, const Vec3& v_W);
+  void turnTo(Touch& touch, const Eigen::Vector2d& direction) const;
   void stick(Touch& touch) const;
-  void slide(Touch& touch, double normal_force) const;
-  bool reviseTouch(Touch& touch);
-  static Vec3 velocityChange(const Touch& touch, const std::vector<int>& parents,
-                             const Eigen::VectorXd& du);
+  void slide(Touch& touch, double load) const;
+  void brake(Touch& touch) const;
+  bool keepsFriction(Touch& touch, double speed_after) const;
+  Vec3 velocityChange(const Touch& touch, const Eigen::VectorXd& du) const;
+  static Vec3 toWorld(const Touch& touch, const Vec3& v);
 
   Material material_;
   double h_ = 0;

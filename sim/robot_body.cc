@@ -45,14 +45,23 @@ void RobotBody::place(const Pose2& pose, const JointArray<double>& angles) {
     for (const int c : model_->actuators[j].coordinates) state.tree.q[root + c] = angles[j];
     if (model_->actuators[j].coordinates.empty()) state.hands[j] = angles[j];
   }
-  if (root > 0) {
-    state.tree.q.head<7>() << std::cos(pose.theta / 2), 0, 0, std::sin(pose.theta / 2), pose.x,
-        pose.y, 0;
-  }
   setState(state);
   if (root == 0) return;
+  const Eigen::Quaterniond upright = Eigen::AngleAxisd(pose.theta, Vec3::UnitZ()) * levelSoles();
+  state.tree.q.head<7>() << upright.w(), upright.x(), upright.y(), upright.z(), pose.x, pose.y, 0;
+  setState(state);
   state.tree.q[6] = -contact_.lowestPoint(motion_);
   setState(std::move(state));
+}
+
+// The turn from the present attitude to one with both soles level on average.
+Eigen::Quaterniond RobotBody::levelSoles() const {
+  Vec3 up = Vec3::Zero();
+  for (const FootModel& foot : model_->feet) {
+    up += motion_[static_cast<std::size_t>(foot.body)].R_WB * foot.X_BS.linear().col(2);
+  }
+  if (up.norm() < 1e-6) return Eigen::Quaterniond::Identity();
+  return Eigen::Quaterniond::FromTwoVectors(up, Vec3::UnitZ());
 }
 
 const double* RobotBody::coordinates() const {
@@ -102,10 +111,12 @@ void RobotBody::solve(const std::vector<ExternalForce>& external, double h) {
     system_.factor();
     system_.solve(du_);
     tieSharedHinges(h);
+    // Drives and stops first: contacts judged beside impossible torques would open for nothing.
     const bool drives_changed = drive_.revise(du_);
     const bool stops_changed = stops_.revise(du_);
-    const bool contacts_changed = contact_.revise(du_);
-    if (!(drives_changed || stops_changed || contacts_changed) || solves_ == kMaxSolves) return;
+    const bool joints_changed = drives_changed || stops_changed;
+    const bool contacts_changed = contact_.revise(du_, !joints_changed);
+    if (!(joints_changed || contacts_changed) || solves_ == kMaxSolves) return;
   }
 }
 

@@ -41,7 +41,8 @@ class RobotBody {
   const State& state() const { return state_; }
   void setState(State state);
 
-  /// At rest with these joint angles, upright, lowest point of the robot on the ground.
+  /// At rest with these joint angles, soles level (or else the root upright), lowest point of the
+  /// robot on the ground.
   void place(const Pose2& pose, const JointArray<double>& angles);
 
   /// Lets `command` act for `h` [s].
@@ -67,6 +68,7 @@ class RobotBody {
   void integrate(double h);
   void moveHands(const JointCommand& command, double h);
   void updateMotion();
+  Eigen::Quaterniond levelSoles() const;
   const double* coordinates() const;
   const double* rates() const;
 

@@ -1,0 +1,209 @@
+// Laws: what the step computes is what Simbody computes, and what a textbook says.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/random.h"
+#include "sim/robot_body.h"
+#include "tests/support/models.h"
+
+namespace nao::sim {
+namespace {
+
+TreeState randomState(const Multibody& multibody, Random& random) {
+  TreeState state = multibody.zeroState();
+  for (auto& u : state.u) u = random.uniform(-3, 3);
+  const int root = multibody.rootPositionCount();
+  for (int i = 0; i < root; ++i) state.q[i] = random.normal();
+  if (root) state.q.head<4>().normalize();
+  for (int i = root; i < state.q.size(); ++i) state.q[i] = random.uniform(-1, 1);
+  return state;
+}
+
+class NaoDynamics : public testing::TestWithParam<const char*> {};
+
+TEST_P(NaoDynamics, MassMatrixIsSimbodys) {
+  const auto model = test::robot(GetParam());
+  Multibody multibody(*model, 9.80665);
+  MassMatrix mass(*model);
+  TreeMatrix matrix(mass.parents());
+  std::vector<BodyMotion> motion;
+  Random random(1);
+  for (int trial = 0; trial < 20; ++trial) {
+    multibody.setState(randomState(multibody, random));
+    multibody.calcMotion(motion);
+    mass.setMotion(motion);
+    mass.calc(matrix);
+    const Eigen::MatrixXd oracle = multibody.calcMassMatrix();
+    double worst = 0;
+    for (int i = 0; i < matrix.size(); ++i) {
+      for (int j = i; j >= 0; j = matrix.parent(j)) {
+        worst = std::max(worst, std::abs(matrix.at(i, j) - oracle(i, j)));
+      }
+    }
+    EXPECT_LT(worst, 1e-12 * oracle.cwiseAbs().maxCoeff());  // rounding of some 30 additions
+  }
+}
+
+TEST_P(NaoDynamics, FreeAccelerationIsSimbodys) {
+  auto model = std::make_shared<RobotModel>(*test::robot(GetParam()));
+  for (Actuator& actuator : model->actuators) {  // bare tree: no rotors, no motors, no ties
+    actuator.rotor_inertia = 0;
+    if (actuator.coordinates.size() == 2) actuator.coordinates.pop_back();
+  }
+  for (Coordinate& coordinate : model->coordinates) coordinate.lower = -(coordinate.upper = 1e3);
+  model->coupled_limits.clear();
+  RobotBody body(model, *test::flatWorld());
+  Multibody oracle(*model, test::flatWorld()->gravity);
+  JointCommand limp{JointArray<double>(model->jointCount()),
+                    JointArray<double>(model->jointCount(), -1.0)};
+  Random random(2);
+  for (int trial = 0; trial < 20; ++trial) {
+    RobotBody::State state = body.state();
+    state.tree = randomState(oracle, random);
+    state.tree.q[6] = 10;  // in the air
+    body.setState(state);
+    oracle.setState(state.tree);
+    const Eigen::VectorXd expected =
+        oracle.calcAcceleration(Eigen::VectorXd::Zero(state.tree.u.size()));
+    constexpr double kStep = 1e-3;
+    body.step(limp, {}, kStep);
+    const Eigen::VectorXd found = (body.state().tree.u - state.tree.u) / kStep;
+    EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), 1e-9 * expected.cwiseAbs().maxCoeff());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, NaoDynamics, testing::Values("nao_h21_v33", "nao_h25_v50"));
+
+TEST(Pendulum, SwingsWithItsPeriod) {
+  // Small swings about hanging down: T = 2 pi sqrt(I / (m g l)). The step of 0.1 ms is implicit
+  // Euler only in stiff terms; a free pendulum is integrated to first order, hence 0.1 %.
+  const auto model = test::pendulum(0.5, 0.2);
+  RobotBody body(model, *test::flatWorld());
+  RobotBody::State state = body.state();
+  state.tree.q[0] = M_PI / 2 - 0.05;  // rod along +x at 0; +y turns it down
+  body.setState(state);
+  JointCommand limp{JointArray<double>(1), JointArray<double>(1, -1.0)};
+  int crossings = 0;
+  double first = 0, last = 0, before = -1;
+  for (int k = 0; crossings < 11; ++k) {
+    body.step(limp, {}, 1e-4);
+    const double offset = body.angle(toJoint(0)) - M_PI / 2;
+    if (before < 0 && offset >= 0 && crossings++ == 0) first = k * 1e-4;
+    if (before < 0 && offset >= 0) last = k * 1e-4;
+    before = offset;
+  }
+  const double inertia = 0.5 * 0.2 * 0.2 + 1e-6;
+  const double period = 2 * M_PI * std::sqrt(inertia / (0.5 * 9.80665 * 0.2));
+  EXPECT_NEAR((last - first) / 10, period * (1 + 0.05 * 0.05 / 16), 1e-3 * period);
+}
+
+TEST(Servo, SagsByLoadOverGain) {
+  const auto model = test::pendulum(0.5, 0.2);
+  RobotBody body(model, *test::flatWorld());
+  JointCommand stiff{JointArray<double>(1), JointArray<double>(1, 1.0)};
+  for (const double step : {1e-3, 2e-3, 5e-3}) {
+    body.place({}, JointArray<double>(1));
+    for (int k = 0; k < static_cast<int>(3 / step); ++k) body.step(stiff, {}, step);
+    const double sag = body.angle(toJoint(0));
+    // Static law, so no step may change it: kp sag = m g l cos(sag).
+    EXPECT_NEAR(sag, 0.5 * 9.80665 * 0.2 * std::cos(sag) / 150, 1e-9) << step;
+  }
+}
+
+TEST(Servo, GivesNoMoreThanStiffnessAllows) {
+  const auto model = test::pendulum(0.5, 0.2);  // 0.98 N m of weight
+  JointCommand weak{JointArray<double>(1), JointArray<double>(1)};
+  for (const double stiffness : {0.05, 0.15, 0.25}) {  // of 0.7 * 8 N m: 0.28, 0.84, 1.4
+    RobotBody body(model, *test::flatWorld());
+    weak.stiffness[0] = stiffness;
+    for (int k = 0; k < 1500; ++k) {
+      body.step(weak, {}, 2e-3);
+      EXPECT_LE(std::abs(body.torque()[0]), stiffness * 0.7 * 8 + 1e-12);
+    }
+    EXPECT_EQ(body.angle(toJoint(0)) < 0.05, stiffness > 0.2) << stiffness;
+  }
+}
+
+TEST(JointStops, YieldLessThanATenthOfADegreeUnderFullTorque) {
+  auto model = test::pendulum(0.05, 0.1);
+  model->coordinates[0].upper = 0.3;
+  model->actuators[0].stall_torque = 12;  // the strongest Nao motor
+  RobotBody body(model, *test::flatWorld());
+  JointCommand beyond{JointArray<double>(1, 2.0), JointArray<double>(1, 1.0)};
+  for (int k = 0; k < 1000; ++k) body.step(beyond, {}, 2e-3);
+  EXPECT_GT(body.angle(toJoint(0)), 0.3);
+  EXPECT_LT(body.angle(toJoint(0)) - 0.3, 0.1 * M_PI / 180);
+}
+
+TEST(Fall, FollowsGravity) {
+  const auto model = test::block(1, Vec3(0.1, 0.1, 0.1));
+  RobotBody body(model, *test::flatWorld());
+  RobotBody::State state = body.state();
+  state.tree.q[6] = 10;
+  body.setState(state);
+  const JointCommand none{JointArray<double>(0), JointArray<double>(0)};
+  for (int k = 0; k < 500; ++k) body.step(none, {}, 2e-3);
+  // Velocity exact; position of semi-implicit Euler falls g t h / 2 = 9.8 mm farther.
+  EXPECT_NEAR(body.state().tree.u[5], -9.80665, 1e-9);
+  EXPECT_NEAR(body.state().tree.q[6], 10 - 9.80665 / 2 - 9.80665 * 1e-3, 1e-9);
+}
+
+TEST(Friction, SticksBelowItsLimitAndSlidesAboveIt) {
+  const auto model = test::block(1, Vec3(0.2, 0.2, 0.05));
+  const auto world = test::flatWorld();
+  const JointCommand none{JointArray<double>(0), JointArray<double>(0)};
+  const double hold = world->ground.friction * 9.80665;
+  for (const double force : {0.8 * hold, 1.5 * hold}) {
+    RobotBody body(model, *world);
+    for (int k = 0; k < 250; ++k) body.step(none, {}, 2e-3);  // settle
+    for (int k = 0; k < 500; ++k) {
+      Vec3 low = body.motion()[0].p_WB;
+      low.z() = 0;  // no tipping moment
+      body.step(none, {{0, low, Vec3(force, 0, 0)}}, 2e-3);
+    }
+    if (force < hold) {  // the anchors' springs give way by F / (4 k) = 69 um, and hold
+      EXPECT_NEAR(body.state().tree.q[4], force / (4 * world->ground.tangential_stiffness), 1e-6);
+      EXPECT_LT(std::abs(body.state().tree.u[3]), 1e-6);
+    } else {  // a = F/m - mu g, from the moment it lets go
+      EXPECT_NEAR(body.state().tree.u[3], force - hold, 0.02 * (force - hold));
+    }
+  }
+}
+
+TEST(Momentum, NoInnerForceMovesTheWhole) {
+  const auto model = test::robot("nao_h21_v33");
+  auto world = test::flatWorld();
+  world->gravity = 0;
+  RobotBody body(model, *world);
+  RobotBody::State state = body.state();
+  state.tree.q[6] = 5;
+  body.setState(state);
+  JointCommand command{JointArray<double>(model->jointCount()),
+                       JointArray<double>(model->jointCount(), 1.0)};
+  Random random(3);
+  const auto momentum = [&] {
+    Vec3 p = Vec3::Zero();
+    for (std::size_t i = 0; i < model->bodies.size(); ++i) {
+      const BodyMotion& m = body.motion()[i];
+      p += model->bodies[i].mass * (m.v_WB + m.w_WB.cross(m.R_WB * model->bodies[i].p_BoBcm));
+    }
+    return p;
+  };
+  double worst = 0, fastest = 0;
+  for (int k = 0; k < 500; ++k) {
+    if (k % 100 == 0) {
+      for (std::size_t j = 0; j < model->jointCount(); ++j)
+        command.angle[j] = random.uniform(-1, 1);
+    }
+    body.step(command, {}, 2e-3);
+    worst = std::max(worst, momentum().norm());
+    fastest = std::max(fastest, body.state().tree.u.tail(20).cwiseAbs().maxCoeff());
+  }
+  EXPECT_GT(fastest, 2);  // it did thrash
+  // u is momentum-exact within a step; M changes along it, which first order sees as O(h).
+  EXPECT_LT(worst, 0.05);  // [N s], against about 5 kg * 1 m/s of inner motion
+}
+
+}  // namespace
+}  // namespace nao::sim
