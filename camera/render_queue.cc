@@ -1,0 +1,121 @@
+#include "camera/render_queue.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "camera/color_conversion.h"
+#include "core/check.h"
+
+namespace nao::camera {
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000'000;  // [ns]
+
+bool sameView(const ImageRequest& a, const ImageRequest& b) {
+  return a.camera == b.camera && a.size == b.size;
+}
+
+Image makeImage(const Raster& raster, const ImageRequest& request, SimTime time) {
+  return {raster.size(), request.color_space, time, request.camera,
+          std::make_shared<const Bytes>(toBytes(raster, request.color_space))};
+}
+
+/// Shows one raster in the windows of all that asked for this view; they share bytes where their
+/// colour spaces agree.
+void publish(const Raster& raster, const std::vector<Subscription>& due, const ImageRequest& view,
+             SimTime time) {
+  std::map<ColorSpace, std::shared_ptr<const Image>> images;
+  for (const Subscription& subscription : due) {
+    if (!sameView(subscription.request, view)) continue;
+    auto& image = images[subscription.request.color_space];
+    if (!image) {
+      image = std::make_shared<const Image>(makeImage(raster, subscription.request, time));
+    }
+    subscription.window->publish(image);
+  }
+}
+
+}  // namespace
+
+std::int64_t pictureNumber(SimTime now, int frame_rate) {
+  return now.time_since_epoch().count() * frame_rate / kSecond;
+}
+
+SimTime dueTime(std::int64_t k, int frame_rate) {
+  return SimTime(Duration((k * kSecond + frame_rate - 1) / frame_rate));
+}
+
+RenderQueue::RenderQueue(std::shared_ptr<const ImageFeed> feed, std::size_t capacity)
+    : feed_(std::move(feed)), capacity_(capacity), jobs_(capacity) {
+  NAO_CHECK(feed_ != nullptr && capacity > 0);
+}
+
+bool RenderQueue::anyDue(SimTime now) {
+  auto table = feed_->subscriptions();
+  const bool started_over = now < now_;
+  if (started_over) taken_.clear();
+  now_ = now;
+  if (started_over || table != table_) {
+    table_ = std::move(table);
+    findNextDue();
+  }
+  return now >= next_due_;
+}
+
+void RenderQueue::findNextDue() {
+  next_due_ = SimTime::max();
+  if (!table_) return;
+  for (const Subscription& subscription : *table_) {
+    const auto taken = taken_.find(subscription.id);
+    const SimTime due = taken == taken_.end()
+                            ? SimTime::min()
+                            : dueTime(taken->second + 1, subscription.request.frame_rate);
+    next_due_ = std::min(next_due_, due);
+  }
+}
+
+bool RenderQueue::offer(std::shared_ptr<const SceneFrame> scene, std::size_t robot) {
+  if (!anyDue(scene->time)) return true;
+  Job job{std::move(scene), robot, {}};
+  std::map<std::uint64_t, std::int64_t> taken;  // forgets who has unsubscribed
+  for (const Subscription& subscription : *table_) {
+    const std::int64_t k = pictureNumber(now_, subscription.request.frame_rate);
+    const auto last = taken_.find(subscription.id);
+    if (last == taken_.end() || last->second < k) job.due.push_back(subscription);
+    taken[subscription.id] = k;
+  }
+  taken_ = std::move(taken);
+  findNextDue();
+  const auto images = static_cast<std::int64_t>(job.due.size());
+  if (pendingJobs() >= capacity_ || !jobs_.post(std::move(job))) {
+    dropped_images_ += images;
+    return false;
+  }
+  ++offered_jobs_;
+  return true;
+}
+
+std::size_t RenderQueue::pendingJobs() const {
+  const auto finished = finished_.get();
+  return static_cast<std::size_t>(offered_jobs_ - (finished ? *finished : 0));
+}
+
+bool RenderQueue::renderNext(Renderer& renderer) {
+  if (waiting_.empty()) {
+    for (Job& job : jobs_.drain()) waiting_.push_back(std::move(job));
+  }
+  if (waiting_.empty()) return false;
+  const Job job = std::move(waiting_.front());
+  waiting_.pop_front();
+  for (auto first = job.due.begin(); first != job.due.end(); ++first) {
+    const auto same = [&](const Subscription& s) { return sameView(s.request, first->request); };
+    if (std::any_of(job.due.begin(), first, same)) continue;  // drawn with an earlier one
+    const CameraPlace place{job.robot, static_cast<std::size_t>(first->request.camera)};
+    const Raster& raster = renderer.render(*job.scene, place, first->request.size);
+    publish(raster, job.due, first->request, job.scene->time);
+  }
+  finished_.publish(++finished_jobs_);
+  return true;
+}
+
+}  // namespace nao::camera
