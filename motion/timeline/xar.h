@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "motion/timeline/timeline.h"
+
+namespace nao::motion {
+
+/// Reads a Choregraphe behavior (.xar, versions 1 and 3). Boxes play their timelines in the order
+/// their links give, each as soon as what it is linked to has ended; scripts, sounds and texts in
+/// boxes take no time and are left out with a warning, as are joints this robot has not.
+///
+///   time of a key [s] = (frame - start_frame) / fps of its timeline
+///   value: degrees; hands 0 to 1 (unit 1, or any unit on a hand); percent if above 1
+///   a key without a tangent is bezier_auto on both sides
+///
+/// `source` names the text in messages (a file, or what the client called it).
+/// @throws InputError with source and line if the text is not such a behavior, or if nothing in it
+/// starts by itself.
+Timeline readXar(const std::string& text, const std::string& source, const RobotModel& model);
+
+}  // namespace nao::motion

@@ -1,0 +1,108 @@
+#include "motion/timeline/xar_curve.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/trajectory.h"
+
+namespace nao::motion {
+namespace {
+
+constexpr double kDegree = M_PI / 180;
+constexpr double kSlowestFps = 0.01;
+
+// What one unit of a value is inside: a radian part of a degree, or a hand's opening.
+double unitOf(const XarElement& curve, bool is_hand, const std::vector<XarElement>& keys) {
+  const bool dimensionless = curve.number("unit", -1) == 1;
+  if (!is_hand && !dimensionless) return kDegree;
+  for (const XarElement& key : keys) {
+    if (std::abs(key.number("value")) > 1) return 0.01;
+  }
+  return 1;
+}
+
+Handle readTangent(const XarElement& tangent, const XarClock& clock, double unit) {
+  const std::string type = tangent.text("interpType", "bezier_auto");
+  Handle handle;
+  handle.dt = tangent.number("abscissaParam", 0) / clock.fps;
+  handle.dangle = tangent.number("ordinateParam", 0) * unit;
+  if (type == "bezier") {
+    handle.kind = Handle::Kind::Bezier;
+  } else if (type == "linear") {
+    handle.kind = Handle::Kind::Linear;
+  } else if (type == "constant") {
+    handle.kind = Handle::Kind::Constant;
+  } else if (type == "bezier_auto" || type == "bezier auto") {
+    handle.kind = Handle::Kind::BezierAuto;
+  } else {
+    tangent.fail("unknown interpType \"" + type.substr(0, 40) +
+                 "\", expected bezier_auto, bezier, linear or constant");
+  }
+  return handle;
+}
+
+// A key with the handles that are written down; the others are BezierAuto, to be filled in.
+Key readKey(const XarElement& element, const XarClock& clock, double unit) {
+  Key key;
+  key.time = clock.timeOf(element.number("frame"));
+  key.angle = element.number("value") * unit;
+  key.before.kind = key.after.kind = Handle::Kind::BezierAuto;
+  std::vector<XarElement> tangents = element.children("Tangent");
+  if (const XarElement group = element.child("Tangents")) tangents = group.children("Tangent");
+  for (const XarElement& tangent : tangents) {
+    const std::string side = tangent.text("side");
+    if (side != "left" && side != "right") tangent.fail("a Tangent's side is left or right");
+    (side == "left" ? key.before : key.after) = readTangent(tangent, clock, unit);
+  }
+  return key;
+}
+
+void fillAutomaticHandles(std::vector<Key>& keys) {
+  if (keys.empty()) return;
+  std::vector<Key> automatic = keys;
+  setAutoHandles(keys.front().angle, automatic);
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (keys[i].before.kind == Handle::Kind::BezierAuto) keys[i].before = automatic[i].before;
+    if (keys[i].after.kind == Handle::Kind::BezierAuto) keys[i].after = automatic[i].after;
+  }
+}
+
+// Keys in order of time, one per frame, within the timeline.
+std::vector<Key> withinTimeline(std::vector<Key> keys, const XarClock& clock) {
+  std::stable_sort(keys.begin(), keys.end(),
+                   [](const Key& a, const Key& b) { return a.time < b.time; });
+  const double half_a_frame = 0.5 / clock.fps;
+  std::vector<Key> kept;
+  for (Key& key : keys) {
+    if (clock.end_frame && key.time > clock.timeOf(*clock.end_frame) + 1e-9) break;
+    key.time = std::max(key.time, half_a_frame);
+    if (!kept.empty() && key.time - kept.back().time < 1e-6) kept.pop_back();
+    kept.push_back(key);
+  }
+  return kept;
+}
+
+}  // namespace
+
+XarClock readXarClock(const XarElement& timeline) {
+  XarClock clock;
+  clock.fps = timeline.number("fps", 25);
+  if (clock.fps < kSlowestFps) timeline.fail("fps must be positive");
+  clock.start_frame = timeline.number("start_frame", 0);
+  const double end = timeline.number("end_frame", -1);
+  if (end >= 0) clock.end_frame = end;
+  return clock;
+}
+
+Curve readXarCurve(const XarElement& curve, const XarClock& clock, Joint joint, bool is_hand) {
+  std::vector<XarElement> elements = curve.children("Key");
+  if (const XarElement group = curve.child("CurveKeys")) elements = group.children("Key");
+  const double unit = unitOf(curve, is_hand, elements);
+  std::vector<Key> keys;
+  for (const XarElement& element : elements) keys.push_back(readKey(element, clock, unit));
+  keys = withinTimeline(std::move(keys), clock);
+  fillAutomaticHandles(keys);
+  return {joint, std::move(keys)};
+}
+
+}  // namespace nao::motion
