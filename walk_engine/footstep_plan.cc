@@ -141,6 +141,7 @@ bool FootstepPlan::append() {
   step.to = *place;
   step.start = end();
   step.double_support = ticks(tuning_.double_support_share * period * tick_seconds_);
+  step.shift = step.double_support;
   step.single_support = period - step.double_support;
   if (steps_.empty()) step.double_support = ticks(tuning_.start_double_support);
   step.height = goal_.config.step_height;
@@ -164,8 +165,8 @@ void FootstepPlan::advance(std::int64_t now, std::int64_t horizon) {
 Vector2d FootstepPlan::calcZmp(std::int64_t tick) const {
   for (const PlannedStep& step : steps_) {
     if (tick >= step.end()) continue;
-    const double s =
-        std::clamp(static_cast<double>(tick - step.start) / step.double_support, 0., 1.);
+    const double shifted = static_cast<double>(tick - step.lift() + step.shift) / step.shift;
+    const double s = std::clamp(shifted, 0.0, 1.0);
     return step.zmp_from + s * (step.zmp_to - step.zmp_from);
   }
   const Vector2d last = steps_.empty() ? stand_zmp_ : steps_.back().zmp_to;

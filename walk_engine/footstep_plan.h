@@ -41,8 +41,9 @@ struct PlannedStep {
   std::int64_t start = 0;            // [ticks]
   int double_support = 0;            // [ticks]
   int single_support = 0;            // [ticks]
+  int shift = 0;                     // [ticks] end of the double support in which the weight moves
   double height = 0;                 // [m] of the swing
-  Eigen::Vector2d zmp_from, zmp_to;  // [m] moves over during double support, then rests
+  Eigen::Vector2d zmp_from, zmp_to;  // [m] moves over during the shift, then rests
   std::int64_t lift() const { return start + double_support; }
   std::int64_t end() const { return lift() + single_support; }
 };
