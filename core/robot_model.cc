@@ -87,7 +87,7 @@ std::shared_ptr<const RobotModel> loadRobotModel(const std::string& robots_dir,
   model->bodies = urdf.bodies;
   model->frames = urdf.frames;
   readBody((folder / "body.yaml").string(), urdf, *model);
-  checkBodies(urdf, model->fixed_base);
+  checkBodies(urdf, *model);
 
   const std::string postures = (folder / "postures.yaml").string();
   const std::string cameras = (folder / "cameras.yaml").string();

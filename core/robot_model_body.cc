@@ -149,6 +149,9 @@ void readBody(const std::string& file, const UrdfRobot& urdf, RobotModel& model)
     model.cycle = std::chrono::milliseconds(body.integer("cycle_ms", 1, 100, 10));
     model.fixed_base = body.flag("fixed_base", false);
     model.encoder_quantum = body.number("encoder_quantum", kNotNegative, 0);
+    if (body.flag("repair_inertia", false)) {
+      for (Body& part : model.bodies) part.I_Bcm = nearestSolid(part.I_Bcm);
+    }
     readActuators(body, urdf, model);
     readAliases(body, model);
     readGroups(body, model);

@@ -22,6 +22,13 @@ void readPostures(const std::string& file, RobotModel& model);
 /// cameras.yaml; each camera is a frame of the model as well.
 void readCameras(const std::string& file, RobotModel& model);
 
+/// The inertia tensor nearest to this one that obeys the triangle inequality, as a solid's does.
+Mat3 nearestSolid(const Mat3& inertia);
+
+/// Throws InputError unless every body could exist: mass above zero, inertia positive definite
+/// and obeying the triangle inequality. A body 0 that is bolted down may be without mass.
+void checkBodies(const UrdfRobot& urdf, const RobotModel& model);
+
 /// The joint or body named at `key`, else an InputError.
 Joint jointAt(Config& config, const std::string& key, const RobotModel& model);
 int bodyAt(Config& config, const std::string& key, const RobotModel& model);

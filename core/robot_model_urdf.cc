@@ -3,7 +3,6 @@
 #include <console_bridge/console.h>
 #include <urdf_parser/urdf_parser.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -15,7 +14,8 @@
 namespace nao {
 namespace {
 
-constexpr double kEndless = 1e6;  // [rad] stops of a continuous joint: never reached
+constexpr double kEndless = 1e6;     // [rad] stops of a continuous joint: never reached
+constexpr double kSameRatio = 1e-3;  // a mimic's ratio this near to 1 is 1, rounded
 
 // Catches what the URDF library would print, for as long as this object lives.
 class Complaints : public console_bridge::OutputHandler {
@@ -169,14 +169,14 @@ class Builder {
     hinge.name = joint.name;
     hinge.line = lines_.joints.at(joint.name);
     const bool endless = joint.type == urdf::Joint::CONTINUOUS;
-    hinge.lower = endless ? -kEndless : joint.limits->lower;
-    hinge.upper = endless ? kEndless : joint.limits->upper;
+    hinge.lower = endless ? -kEndless : std::min(joint.limits->lower, joint.limits->upper);
+    hinge.upper = endless ? kEndless : std::max(joint.limits->lower, joint.limits->upper);
     if (joint.limits) {
       hinge.max_velocity = joint.limits->velocity;
       hinge.max_torque = joint.limits->effort;
     }
     if (joint.mimic) {
-      if (joint.mimic->multiplier != 1 || joint.mimic->offset != 0) {
+      if (std::abs(joint.mimic->multiplier - 1) > kSameRatio || joint.mimic->offset != 0) {
         fail(joint, "`mimic`: expected multiplier 1 and offset 0, one motor turns both alike");
       }
       hinge.mimics = joint.mimic->joint_name;
@@ -198,18 +198,6 @@ std::string readText(const std::string& file) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-// What is wrong with a body that moves, or nothing.
-std::string flawOf(const Body& body) {
-  if (!(body.mass > 0)) return "a body that moves needs an <inertial> with a mass above 0";
-  const Vec3 moments = Eigen::SelfAdjointEigenSolver<Mat3>(body.I_Bcm).eigenvalues();
-  if (!(moments.x() > 0)) return "its inertia is not positive definite";
-  // Published tensors are rounded, hence a little slack.
-  if (moments.x() + moments.y() < moments.z() * (1 - 1e-6)) {
-    return "its inertia breaks the triangle inequality, no solid has it";
-  }
-  return {};
-}
-
 }  // namespace
 
 UrdfRobot readUrdf(const std::string& file) {
@@ -221,15 +209,6 @@ UrdfRobot readUrdf(const std::string& file) {
     throw InputError(complaint(file, 1, "not a robot tree: " + complaints.first()));
   }
   return Builder(file, lines).build(*model->getRoot());
-}
-
-void checkBodies(const UrdfRobot& urdf, bool fixed_base) {
-  for (std::size_t i = fixed_base ? 1 : 0; i < urdf.bodies.size(); ++i) {
-    const std::string flaw = flawOf(urdf.bodies[i]);
-    if (flaw.empty()) continue;
-    throw InputError(
-        complaint(urdf.file, urdf.body_lines[i], "link '" + urdf.bodies[i].name + "': " + flaw));
-  }
 }
 
 }  // namespace nao

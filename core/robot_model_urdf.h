@@ -30,14 +30,11 @@ struct UrdfRobot {
   std::vector<UrdfHinge> hinges;
 };
 
-/// Joints are revolute, continuous or fixed; a mimic joint follows one to one.
+/// Joints are revolute, continuous or fixed; a mimic joint follows one to one; the two ends of a
+/// range may come in either order, as they do in the wild.
 /// Call from one thread at a time: the URDF library reports through a process-wide handler.
 /// @throws InputError naming file and line.
 UrdfRobot readUrdf(const std::string& file);
-
-/// Throws InputError unless every body could exist: mass above zero, inertia positive definite
-/// and obeying the triangle inequality. A body 0 that is bolted down may be without mass.
-void checkBodies(const UrdfRobot& urdf, bool fixed_base);
 
 /// The lines of a URDF's links and joints, after a check of what the URDF library passes over or
 /// reports without a place: XML syntax, names, references, joint types, numbers in attributes.

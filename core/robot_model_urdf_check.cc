@@ -100,9 +100,9 @@ class Checker {
     }
     for (const char* key : {"lower", "upper", "effort", "velocity"}) attribute(*limit, key);
     checkNumbers(*limit);
-    if (*parseNumber(attribute(*limit, "lower")) >= *parseNumber(attribute(*limit, "upper"))) {
-      fail(limit->Row(),
-           "`lower`: expected a number below `upper`, found '" + attribute(*limit, "lower") + "'");
+    if (*parseNumber(attribute(*limit, "lower")) == *parseNumber(attribute(*limit, "upper"))) {
+      fail(limit->Row(), "`lower`: expected another number than `upper`, found '" +
+                             attribute(*limit, "lower") + "'");
     }
   }
 

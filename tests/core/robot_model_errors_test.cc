@@ -101,8 +101,8 @@ TEST(BrokenRobot, UrdfComplaintsNameTheLine) {
   EXPECT_EQ(urdf("<joint name=\"LKneePitch\"", "revolute", "prismatic"),
             "broken/model.urdf:@: `type`: expected revolute, continuous or fixed, found "
             "'prismatic'");
-  EXPECT_EQ(urdf("<joint name=\"LKneePitch\"", "lower=\"-0.092346\"", "lower=\"3\""),
-            "broken/model.urdf:@: `lower`: expected a number below `upper`, found '3'");
+  EXPECT_EQ(urdf("<joint name=\"LKneePitch\"", "lower=\"-0.092346\"", "lower=\"2.112528\""),
+            "broken/model.urdf:@: `lower`: expected another number than `upper`, found '2.112528'");
   EXPECT_EQ(urdf("<mimic", "LHipYawPitch", "LHip"),
             "broken/model.urdf:@: `joint`: expected the name of a <joint>, found 'LHip'");
   EXPECT_EQ(urdf("<link name=\"RKneePitch\"", "RKneePitch", "LKneePitch"),
@@ -142,7 +142,7 @@ TEST(BrokenRobot, BodyComplaintsNameTheLine) {
   EXPECT_EQ(body("cycle_ms", "cycle_ms", "cycle"),
             "broken/body.yaml:@: `cycle`: unknown key, expected one of actuators, aliases, "
             "body_type, contact_spheres, coupled_limits, cycle_ms, drives, encoder_quantum, feet, "
-            "fixed_base, frames, groups, imu, version");
+            "fixed_base, frames, groups, imu, repair_inertia, version");
   EXPECT_EQ(body("name: LKneePitch", "LKneePitch", "LKnee"),
             "broken/body.yaml:@: `name`: expected a joint of model.urdf, or a `range` beside it, "
             "found 'LKnee'");
