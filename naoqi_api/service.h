@@ -13,6 +13,7 @@
 #include "naoqi_api/call_error.h"
 #include "naoqi_api/convert.h"
 #include "naoqi_api/method.h"
+#include "naoqi_api/monitor.h"
 #include "naoqi_api/signal.h"
 
 namespace nao::rpc {
@@ -122,6 +123,9 @@ class Service {
   Pending<Value> call(std::string_view name, const std::vector<Value>& arguments,
                       Caller caller = {});
 
+  /// What clients watch this object with; copies of the service share it.
+  Monitor& monitor() { return *monitor_; }
+
   /// Tells the listeners of the signal of that name.
   void emit(std::string_view signal, const std::vector<Value>& arguments) const;
 
@@ -150,6 +154,7 @@ class Service {
   std::map<std::uint32_t, SignalMember> signals_;
   std::map<std::uint32_t, PropertyMember> properties_;
   std::vector<std::shared_ptr<void>> owned_;
+  std::shared_ptr<Monitor> monitor_ = std::make_shared<Monitor>();
   std::uint32_t next_uid_ = kFirstUid;
   std::uint32_t last_uid_ = 0;
   std::set<std::uint32_t> given_uids_;  // by at()

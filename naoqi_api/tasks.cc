@@ -7,25 +7,27 @@
 namespace nao::rpc {
 
 std::int32_t Tasks::start(const Pending<Value>& call) {
-  if (running_.size() >= kMost) throw CallError("too many calls posted and not ended");
+  if (running_->size() >= kMost) throw CallError("too many calls posted and not ended");
   const std::int32_t id = next_id_++;
   if (call.isDone()) return id;
-  running_.emplace(id, call);
-  call.whenDone([this, id](const Outcome<Value>& /*outcome*/) { running_.erase(id); });
+  running_->emplace(id, call);
+  call.whenDone([running = std::weak_ptr<Running>(running_), id](const Outcome<Value>& /*end*/) {
+    if (const auto tasks = running.lock()) tasks->erase(id);
+  });
   return id;
 }
 
 void Tasks::stop(std::int32_t id) {
-  const auto found = running_.find(id);
-  if (found == running_.end()) return;
+  const auto found = running_->find(id);
+  if (found == running_->end()) return;
   const Pending<Value> call = found->second;
   call.cancel();
 }
 
 Pending<bool> Tasks::wait(std::int32_t id, std::int32_t timeout_ms) {
   Pending<bool> result;
-  const auto found = running_.find(id);
-  if (found == running_.end()) {
+  const auto found = running_->find(id);
+  if (found == running_->end()) {
     result.resolve(false);
     return result;
   }

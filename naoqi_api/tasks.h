@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
+#include <utility>
 
 #include "core/sim_time.h"
 #include "naoqi_api/pending.h"
@@ -25,7 +27,7 @@ class Tasks {
   /// The id of `call` while it runs; it is forgotten when it ends. @throws CallError if too many.
   std::int32_t start(const Pending<Value>& call);
 
-  bool isRunning(std::int32_t id) const { return running_.count(id) > 0; }
+  bool isRunning(std::int32_t id) const { return running_->count(id) > 0; }
   void stop(std::int32_t id);
 
   /// Ends with true if the time-out came first, with false when the task ended or is unknown.
@@ -35,7 +37,8 @@ class Tasks {
  private:
   CallLater call_later_;
   std::int32_t next_id_ = 1;
-  std::map<std::int32_t, Pending<Value>> running_;
+  using Running = std::map<std::int32_t, Pending<Value>>;
+  std::shared_ptr<Running> running_ = std::make_shared<Running>();
 };
 
 }  // namespace nao::rpc

@@ -1,0 +1,119 @@
+#include "naoqi_api/service_hub.h"
+
+#include <algorithm>
+
+#include "core/check.h"
+#include "naoqi_api/object_uid.h"
+#include "naoqi_api/services/service_directory.h"
+
+namespace nao::rpc {
+
+using services::ServiceInfo;
+
+ServiceHub::ServiceHub(HubOptions options) : options_(std::move(options)) {
+  if (!options_.tasks) options_.tasks = std::make_shared<Tasks>(options_.call_later);
+  if (!options_.clock) options_.clock = [] { return Duration(0); };
+  add(services::makeServiceDirectory(*this));
+}
+
+std::uint32_t ServiceHub::insert(Entry entry) {
+  entry.id = next_id_++;
+  const std::uint32_t id = entry.id;
+  entries_.emplace(id, std::move(entry));
+  return id;
+}
+
+std::uint32_t ServiceHub::add(std::shared_ptr<Service> service) {
+  NAO_CHECK(find(service->name()) == nullptr);
+  Entry entry;
+  entry.name = service->name();
+  entry.service = std::move(service);
+  const std::uint32_t id = insert(std::move(entry));
+  setReady(id);
+  return id;
+}
+
+std::uint32_t ServiceHub::enter(ServiceInfo info, const std::shared_ptr<Session>& owner) {
+  std::size_t owned = 0;
+  for (const auto& [id, entry] : entries_) {
+    if (entry.name == info.name) {
+      throw CallError("Service \"" + info.name + "\" (#" + std::to_string(id) +
+                      ") is already registered. Rejecting conflicting registration attempt.");
+    }
+    owned += entry.owner == owner ? 1 : 0;
+  }
+  if (owned >= kMostPerClient) throw CallError("too many services from one client");
+  Entry entry;
+  entry.name = info.name;
+  entry.info = std::move(info);
+  entry.owner = owner;
+  const std::uint32_t id = insert(std::move(entry));
+  if (!owner) return id;
+  owner->onEnd([this, id, alive = std::weak_ptr<int>(alive_)] {
+    if (!alive.expired()) remove(id);
+  });
+  return id;
+}
+
+void ServiceHub::setReady(std::uint32_t id) {
+  const auto found = entries_.find(id);
+  if (found == entries_.end() || found->second.ready) return;
+  found->second.ready = true;
+  added_(id, found->second.name);
+}
+
+void ServiceHub::update(const ServiceInfo& info) {
+  const auto found = entries_.find(info.service_id);
+  if (found == entries_.end() || found->second.service) return;
+  found->second.info = info;
+}
+
+void ServiceHub::remove(std::uint32_t id) {
+  const auto found = entries_.find(id);
+  if (found == entries_.end()) return;
+  const Entry entry = std::move(found->second);
+  entries_.erase(found);
+  if (entry.ready) removed_(id, entry.name);
+}
+
+const ServiceHub::Entry* ServiceHub::find(std::uint32_t id) const {
+  const auto found = entries_.find(id);
+  return found == entries_.end() ? nullptr : &found->second;
+}
+
+const ServiceHub::Entry* ServiceHub::find(std::string_view name) const {
+  for (const auto& [id, entry] : entries_) {
+    if (entry.ready && entry.name == name) return &entry;
+  }
+  return nullptr;
+}
+
+std::shared_ptr<Service> ServiceHub::findService(std::string_view name) const {
+  const Entry* entry = find(name);
+  return entry ? entry->service : nullptr;
+}
+
+std::vector<std::string> ServiceHub::relativeEndpoints() const {
+  std::vector<std::string> endpoints;
+  for (const auto& [id, entry] : entries_) {
+    if (entry.service) endpoints.push_back("qi:" + entry.name);
+  }
+  return endpoints;
+}
+
+ServiceInfo ServiceHub::infoFor(const Entry& entry, const Session& session) const {
+  ServiceInfo info = entry.info;
+  info.name = entry.name;
+  info.service_id = entry.id;
+  if (!entry.service) return info;
+  info.machine_id = options_.machine_id;
+  info.process_id = options_.process_id;
+  if (session.takesRelativeEndpoints()) info.endpoints = relativeEndpoints();
+  info.endpoints.push_back(session.endpoint());
+  const bool is_directory = entry.id == 1;
+  info.session_id = is_directory ? "0" : options_.machine_id;
+  if (!is_directory) info.object_uid = objectUid(options_.machine_id + entry.name);
+  return info;
+}
+
+}  // namespace nao::rpc

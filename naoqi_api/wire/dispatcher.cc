@@ -1,0 +1,209 @@
+#include "naoqi_api/wire/dispatcher.h"
+
+#include <chrono>
+
+#include "naoqi_api/wire/base_actions.h"
+#include "naoqi_api/wire/bytes.h"
+#include "naoqi_api/wire/metaobject.h"
+
+namespace nao::wire {
+namespace {
+
+using rpc::CallError;
+using rpc::Monitor;
+
+Message headerOf(const Message& message) {
+  Message header;
+  header.id = message.id;
+  header.type = message.type;
+  header.flags = message.flags;
+  header.address = message.address;
+  return header;
+}
+
+[[noreturn]] void failNoSuchMethod(const Message& message) {
+  const Address& address = message.address;
+  throw CallError("No such method {" + std::to_string(address.service) + "." +
+                  std::to_string(address.object) + "." + std::to_string(address.action) +
+                  ", id:" + std::to_string(message.id) + "}");
+}
+
+}  // namespace
+
+Dispatcher::Dispatcher(rpc::ServiceHub& hub, std::shared_ptr<Channel> channel,
+                       std::shared_ptr<rpc::Session> session)
+    : hub_(hub),
+      channel_(std::move(channel)),
+      session_(std::move(session)),
+      client_calls_(std::make_shared<ClientCalls>(channel_)),
+      objects_(hub_, channel_, client_calls_),
+      subscriptions_(channel_, objects_) {
+  client_calls_->setObjects(&objects_);
+}
+
+void Dispatcher::end() {
+  unfinished_.clear();
+  subscriptions_.clear();
+  client_calls_->setObjects(nullptr);
+  client_calls_->failAll();
+}
+
+void Dispatcher::dispatch(const Message& message) {
+  switch (message.type) {
+    case MessageType::Call:
+    case MessageType::Post:
+      return call(message);
+    case MessageType::Cancel:
+      return cancel(message);
+    case MessageType::Reply:
+    case MessageType::Error:
+    case MessageType::Canceled:
+      return client_calls_->take(message);
+    case MessageType::Event:
+    case MessageType::Capability:
+      return;
+  }
+}
+
+void Dispatcher::call(const Message& message) {
+  std::string error;
+  try {
+    const auto service = objects_.find(message.address.service, message.address.object);
+    if (!service) throw CallError("The call request could not be handled.");
+    const bool is_base = message.address.action < rpc::Service::kFirstUid;
+    return is_base ? callBase(message, service) : callMethod(message, service);
+  } catch (const CallError& failure) {
+    error = failure.what();
+  } catch (const CodecError& failure) {
+    error = failure.what();
+  }
+  if (message.type == MessageType::Call) channel_->error(message, error);
+}
+
+Dispatcher::Request Dispatcher::readRequest(const Message& message, const std::string& parameters) {
+  Decoder decoder(message.payload, &objects_);
+  const bool dynamic = (message.flags & kFlagDynamic) != 0;
+  const Value arguments = decoder.read(dynamic ? "m" : parameters);
+  const auto* items = arguments.findItems();
+  if (!items) throw CallError("The arguments of a call are a tuple, not " + arguments.signature());
+  Request request{*items, std::nullopt};
+  if ((message.flags & kFlagReturnType) != 0) request.wished = Signature::parse(decoder.text());
+  return request;
+}
+
+void Dispatcher::callBase(const Message& message, const std::shared_ptr<rpc::Service>& service) {
+  const BaseMethod* base = findBaseMethod(message.address.action);
+  if (!base) failNoSuchMethod(message);
+  const Request request = readRequest(message, base->parameters);
+  const auto arguments = rpc::convert(Value::tuple(request.arguments),
+                                      Signature::of(base->parameters), rpc::Bend::Declared);
+  if (!arguments) throw CallError(std::string(base->name) + " takes " + base->parameters);
+  const BaseContext context{message.address, *service, objects_, subscriptions_,
+                            hub_.options().personality.documents_members};
+  const Value result = runBaseAction(context, *arguments->findItems());
+  if (message.type == MessageType::Post) return;
+  answer({headerOf(message), service, base->returns, request.wished}, result);
+}
+
+void Dispatcher::callMethod(const Message& message, const std::shared_ptr<rpc::Service>& service) {
+  const rpc::Method* method = service->findMethod(message.address.action);
+  if (!method) {
+    const rpc::Emitter* emitter = service->findSignal(message.address.action);
+    if (emitter && message.type == MessageType::Post) return emit(message, *emitter);
+    failNoSuchMethod(message);
+  }
+  Request request = readRequest(message, method->parameters_signature);
+  if (unfinished_.size() >= kMostUnfinished) throw CallError("too many unfinished calls");
+  const Call call{headerOf(message), service, method->return_signature, std::move(request.wished)};
+  const auto result = run(call, *method, request.arguments);
+  if (result.isDone()) return finish(call, *result.outcome());
+
+  const std::uint64_t number = next_unfinished_++;
+  unfinished_[number] = {message.id, result};
+  result.whenDone([weak = weak_from_this(), number, call](const rpc::Outcome<Value>& outcome) {
+    const auto self = weak.lock();
+    if (self && self->unfinished_.erase(number) > 0) self->finish(call, outcome);
+  });
+}
+
+rpc::Pending<Value> Dispatcher::run(const Call& call, const rpc::Method& method,
+                                    const std::vector<Value>& arguments) {
+  const rpc::Caller caller{session_, call.service.get(), &hub_.tasks()};
+  const Monitor& monitor = call.service->monitor();
+  const bool counts = monitor.stats_enabled;
+  const bool traces = monitor.trace_enabled;
+  if (!counts && !traces) return method.invoke(caller, arguments);
+  const auto now_us = std::chrono::duration_cast<std::chrono::microseconds>(hub_.options().clock());
+  if (traces) {
+    monitor.trace(call.header.id, Monitor::Event::Call, method.uid, Value::list(arguments),
+                  now_us.count());
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const auto result = method.invoke(caller, arguments);
+  const auto clock = hub_.options().clock;
+  result.whenDone([=, service = call.service, id = call.header.id,
+                   uid = method.uid](const rpc::Outcome<Value>& outcome) {
+    const std::chrono::duration<float> took = std::chrono::steady_clock::now() - start;
+    if (counts) service->monitor().record(uid, took.count());
+    if (!traces) return;
+    const auto end_us = std::chrono::duration_cast<std::chrono::microseconds>(clock());
+    service->monitor().trace(
+        id, outcome.value ? Monitor::Event::Result : Monitor::Event::Error, uid,
+        outcome.value ? *outcome.value : Value(outcome.error.value_or("canceled")), end_us.count());
+  });
+  return result;
+}
+
+void Dispatcher::emit(const Message& message, const rpc::Emitter& emitter) {
+  const Request request = readRequest(message, emitter.signature());
+  const auto fitting = rpc::convert(Value::tuple(request.arguments),
+                                    Signature::of(emitter.signature()), rpc::Bend::Declared);
+  if (fitting) emitter.emit(*fitting->findItems());
+}
+
+void Dispatcher::finish(const Call& call, const rpc::Outcome<Value>& outcome) {
+  if (call.header.type == MessageType::Post) return;
+  if (outcome.isCanceled()) return answerCanceled(call);
+  if (outcome.error) return channel_->error(call.header, *outcome.error);
+  answer(call, *outcome.value);
+}
+
+void Dispatcher::answer(const Call& call, const Value& result) {
+  objects_.setGiver(call.header.address.service);
+  try {
+    Bytes payload;
+    if (call.wished && channel_->shares("MessageFlags")) {
+      if (const auto wished = rpc::convert(result, *call.wished, rpc::Bend::Declared)) {
+        encodeDynamic(payload, *wished, &objects_);
+        return channel_->reply(call.header, std::move(payload), kFlagDynamic);
+      }
+    }
+    const Signature returns = Signature::of(call.returns);
+    const auto declared = rpc::convert(result, returns, rpc::Bend::Declared);
+    if (!declared) throw CodecError("the result " + result.print() + " is not " + returns.words());
+    encode(payload, *declared, returns, &objects_);
+    channel_->reply(call.header, std::move(payload));
+  } catch (const CodecError& error) {
+    channel_->error(call.header, error.what());
+  }
+}
+
+// Peers from before 2015 know no Canceled.
+void Dispatcher::answerCanceled(const Call& call) {
+  const bool always = hub_.options().personality.needs_authentication;
+  if (always || channel_->shares("RemoteCancelableCalls")) return channel_->canceled(call.header);
+  channel_->error(call.header, "Call has been canceled.");
+}
+
+// The number of the call is the payload (libqi), or the message's own with no payload (qiloop).
+void Dispatcher::cancel(const Message& message) {
+  std::uint32_t id = message.id;
+  if (message.payload.size() >= sizeof(id)) id = readNumber<std::uint32_t>(message.payload.data());
+  for (auto it = unfinished_.rbegin(); it != unfinished_.rend(); ++it) {
+    if (it->second.id != id) continue;
+    const rpc::Pending<Value> result = it->second.result;
+    return result.cancel();
+  }
+}
+
+}  // namespace nao::wire

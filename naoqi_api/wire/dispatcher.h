@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "naoqi_api/service_hub.h"
+#include "naoqi_api/wire/channel.h"
+#include "naoqi_api/wire/client_calls.h"
+#include "naoqi_api/wire/object_host.h"
+#include "naoqi_api/wire/subscriptions.h"
+
+namespace nao::wire {
+
+/// Carries out what one client asks once its connection is open: calls, posts, cancels, and the
+/// answers to calls that were made to it.
+class Dispatcher : public std::enable_shared_from_this<Dispatcher> {
+ public:
+  static constexpr std::size_t kMostUnfinished = 1024;
+
+  Dispatcher(rpc::ServiceHub& hub, std::shared_ptr<Channel> channel,
+             std::shared_ptr<rpc::Session> session);
+
+  /// Takes a message that is not about the opening.
+  void dispatch(const Message& message);
+
+  /// The client has gone: results that come later go nowhere.
+  void end();
+
+ private:
+  struct Request {
+    std::vector<Value> arguments;
+    std::optional<Signature> wished;  // the type the client wants back
+  };
+  /// A call under way: all that is needed to answer it.
+  struct Call {
+    Message header;  // without payload
+    std::shared_ptr<rpc::Service> service;
+    std::string returns;
+    std::optional<Signature> wished;
+  };
+
+  void call(const Message& message);
+  void callBase(const Message& message, const std::shared_ptr<rpc::Service>& service);
+  void callMethod(const Message& message, const std::shared_ptr<rpc::Service>& service);
+  void emit(const Message& message, const rpc::Emitter& emitter);
+  void cancel(const Message& message);
+
+  Request readRequest(const Message& message, const std::string& parameters);
+  rpc::Pending<Value> run(const Call& call, const rpc::Method& method,
+                          const std::vector<Value>& arguments);
+  void watch(const Call& call, const rpc::Pending<Value>& result, bool counts, bool traces) const;
+  void finish(const Call& call, const rpc::Outcome<Value>& outcome);
+  void answer(const Call& call, const Value& result);
+  void answerCanceled(const Call& call);
+
+  rpc::ServiceHub& hub_;
+  std::shared_ptr<Channel> channel_;
+  std::shared_ptr<rpc::Session> session_;
+  std::shared_ptr<ClientCalls> client_calls_;
+  ObjectHost objects_;
+  Subscriptions subscriptions_;
+  struct Unfinished {
+    std::uint32_t id = 0;  // the client's number
+    rpc::Pending<Value> result;
+  };
+  std::map<std::uint64_t, Unfinished> unfinished_;  // by our own number
+  std::uint64_t next_unfinished_ = 1;
+};
+
+}  // namespace nao::wire

@@ -1,0 +1,75 @@
+#include "naoqi_api/wire/subscriptions.h"
+
+#include "core/check.h"
+#include "naoqi_api/call_error.h"
+
+namespace nao::wire {
+
+std::uint64_t Subscriptions::add(const Address& signal, std::uint64_t link,
+                                 const rpc::Emitter& emitter, std::optional<Signature> wished) {
+  if (all_.size() >= kMost) throw rpc::CallError("too many subscriptions on one connection");
+  const std::uint64_t number = (std::uint64_t{signal.action} << 32U) | next_++;
+  const auto added =
+      all_.emplace(number, Subscription{signal, link, emitter, 0, std::move(wished)}).first;
+  added->second.emitter_link = emitter.connect(
+      [this, number](const std::vector<Value>& arguments) { send(number, arguments); });
+  return number;
+}
+
+bool Subscriptions::remove(const Address& signal, std::uint64_t link) {
+  for (auto it = all_.begin(); it != all_.end(); ++it) {
+    const Subscription& known = it->second;
+    if (known.link == link && known.signal.service == signal.service &&
+        known.signal.object == signal.object && known.signal.action == signal.action) {
+      drop(it);
+      return true;
+    }
+  }
+  return false;
+}
+
+Subscriptions::All::iterator Subscriptions::drop(All::iterator subscription) {
+  const Subscription dropped = std::move(subscription->second);
+  const auto next = all_.erase(subscription);
+  dropped.emitter.disconnect(dropped.emitter_link);
+  return next;
+}
+
+void Subscriptions::removeObject(std::uint32_t service, std::uint32_t object) {
+  for (auto it = all_.begin(); it != all_.end();) {
+    const Address& signal = it->second.signal;
+    const bool is_its = signal.service == service && signal.object == object;
+    it = is_its ? drop(it) : std::next(it);
+  }
+}
+
+void Subscriptions::clear() {
+  while (!all_.empty()) drop(all_.begin());
+}
+
+void Subscriptions::send(std::uint64_t number, const std::vector<Value>& arguments) {
+  const auto found = all_.find(number);
+  if (found == all_.end()) return;
+  const Subscription& known = found->second;
+  const Value tuple = Value::tuple(arguments);
+  Message event;
+  event.type = MessageType::Event;
+  event.address = known.signal;
+  objects_.setGiver(known.signal.service);
+  if (known.wished && channel_->shares("MessageFlags")) {
+    const auto wished = rpc::convert(tuple, *known.wished, rpc::Bend::Declared);
+    if (wished) {
+      event.flags = kFlagDynamic;
+      encodeDynamic(event.payload, *wished, &objects_);
+    }
+  }
+  if (event.flags == 0) {
+    const Signature declared = Signature::of(known.emitter.signature());
+    const auto fitting = rpc::convert(tuple, declared, rpc::Bend::Declared);
+    NAO_CHECK(fitting.has_value());  // a service emits what it declared
+    encode(event.payload, *fitting, declared, &objects_);
+  }
+  channel_->sendNew(std::move(event));
+}
+
+}  // namespace nao::wire
