@@ -32,6 +32,20 @@ void Simulation::advanceTo(SimTime time) {
   while (world_.now() < time && world_.healthy()) {
     tickDueRobots();
     world_.step();
+    offerPictures();
+  }
+}
+
+void Simulation::showTo(std::shared_ptr<camera::RenderQueue> queue, std::size_t robot) {
+  eyes_.push_back({std::move(queue), robot});
+}
+
+void Simulation::offerPictures() {
+  std::shared_ptr<const SceneFrame> scene;  // one for all cameras of this instant
+  for (Eyes& eyes : eyes_) {
+    if (!eyes.queue->anyDue(world_.now())) continue;
+    if (!scene) scene = std::make_shared<const SceneFrame>(world_.scene());
+    eyes.queue->offer(scene, eyes.robot);
   }
 }
 

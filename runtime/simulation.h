@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "camera/render_queue.h"
 #include "core/latest.h"
 #include "core/scene_frame.h"
 #include "runtime/robot.h"
@@ -36,14 +37,24 @@ class Simulation {
   /// @throws InputError for a robot or ball that does not exist.
   void apply(const WorldRequest& request);
 
+  /// From now on the pictures due for a robot's cameras are offered to `queue`.
+  void showTo(std::shared_ptr<camera::RenderQueue> queue, std::size_t robot);
+
   /// Where everything really is, once per cycle of the first robot. For UsarSim, never for NaoQi.
   const Latest<SceneFrame>& truth() const { return truth_; }
 
  private:
   void tickDueRobots();
+  void offerPictures();
+
+  struct Eyes {
+    std::shared_ptr<camera::RenderQueue> queue;
+    std::size_t robot = 0;
+  };
 
   sim::World world_;
   std::vector<std::unique_ptr<Robot>> robots_;
+  std::vector<Eyes> eyes_;
   Latest<SceneFrame> truth_;
 };
 

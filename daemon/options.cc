@@ -1,0 +1,32 @@
+#include "daemon/options.h"
+
+#include <charconv>
+#include <limits>
+
+#include "core/check.h"
+
+namespace nao::daemon {
+
+RobotOption parseRobot(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  RobotOption robot;
+  robot.name = text.substr(0, equals);
+  robot.model = equals == std::string::npos ? text : text.substr(equals + 1);
+  if (robot.name.empty() || robot.model.empty()) {
+    throw InputError("--robot: expected MODEL or NAME=MODEL, found '" + text + "'");
+  }
+  return robot;
+}
+
+double parseSpeed(const std::string& text) {
+  if (text == "max") return std::numeric_limits<double>::infinity();
+  double speed = 0;
+  const auto end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, speed);
+  if (read.ec != std::errc() || read.ptr != end || !(speed > 0) || speed > 1e6) {
+    throw InputError("--speed: expected 'max' or a number above 0, found '" + text + "'");
+  }
+  return speed;
+}
+
+}  // namespace nao::daemon

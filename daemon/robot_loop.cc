@@ -1,0 +1,158 @@
+#include "daemon/robot_loop.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/check.h"
+
+namespace nao::daemon {
+namespace {
+
+using std::chrono_literals::operator""ms;
+
+constexpr Duration kCycle = 10ms;  // how much is simulated between two looks at requests
+
+template <class... F>
+struct Overloaded : F... {
+  using F::operator()...;
+};
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>;
+
+}  // namespace
+
+RobotLoop::RobotLoop(runtime::Simulation& simulation, double speed,
+                     std::function<void()> after_cycle)
+    : simulation_(simulation),
+      after_cycle_(std::move(after_cycle)),
+      pace_(speed, simulation.now(), std::chrono::steady_clock::now()) {
+  publish();
+}
+
+RobotLoop::~RobotLoop() { stop(); }
+
+void RobotLoop::start() {
+  thread_ = std::thread([this] { run(); });
+}
+
+void RobotLoop::stop() {
+  stopping_ = true;
+  wake();
+  if (thread_.joinable()) thread_.join();
+}
+
+bool RobotLoop::post(LoopRequest request) {
+  if (!requests_.post(std::move(request))) return false;
+  wake();
+  return true;
+}
+
+void RobotLoop::wake() {
+  {
+    const std::lock_guard lock(mutex_);
+    awake_ = true;
+  }
+  changed_.notify_one();
+}
+
+void RobotLoop::run() {
+  pace_.restart(pace_.speed(), simulation_.now(), std::chrono::steady_clock::now());
+  while (!stopping_) {
+    handleRequests();
+    if (mayAdvance()) {
+      advance();
+    } else {  // a paused world still accepts what clients ask, so that nobody waits for that
+      simulation_.acceptRequests();
+      waitUntil(std::chrono::steady_clock::now() + 5ms);
+    }
+    publish();
+    after_cycle_();
+  }
+  paused_ = true;
+  publish();
+}
+
+bool RobotLoop::mayAdvance() {
+  if (!simulation_.world().healthy() || (paused_ && steps_left_ == 0)) return false;
+  return !(hold_ && hold_());
+}
+
+void RobotLoop::advance() {
+  if (paused_) {
+    const std::int64_t steps = std::min<std::int64_t>(steps_left_, kCycle / simulation_.stepSize());
+    simulation_.advanceTo(simulation_.now() + steps * simulation_.stepSize());
+    steps_left_ -= steps;
+    if (steps_left_ == 0) finish(step_request_);
+    return;
+  }
+  const auto wall = std::chrono::steady_clock::now();
+  const auto due = pace_.due(simulation_.now(), wall);
+  if (due > wall) waitUntil(due);
+  if (due <= std::chrono::steady_clock::now()) simulation_.advanceTo(simulation_.now() + kCycle);
+}
+
+void RobotLoop::waitUntil(Pace::Wall wall) {
+  std::unique_lock lock(mutex_);
+  changed_.wait_until(lock, wall, [this] { return awake_; });
+  awake_ = false;
+}
+
+void RobotLoop::handleRequests() {
+  for (const LoopRequest& request : requests_.drain()) handle(request);
+}
+
+void RobotLoop::handle(const LoopRequest& request) {
+  const auto restart = [this](double speed) {
+    pace_.restart(speed, simulation_.now(), std::chrono::steady_clock::now());
+  };
+  std::visit(Overloaded{[&](const PauseWorld&) {
+                          paused_ = true;
+                          finish(request.id);
+                        },
+                        [&](const ResumeWorld&) {
+                          paused_ = false;
+                          restart(pace_.speed());
+                          if (std::exchange(steps_left_, 0) > 0) finish(step_request_);
+                          finish(request.id);
+                        },
+                        [&](const StepWorld& r) {
+                          if (!paused_ || steps_left_ > 0) {
+                            return finish(request.id, "the world must be paused to step it");
+                          }
+                          steps_left_ = std::max<std::int64_t>(r.steps, 0);
+                          step_request_ = request.id;
+                          if (steps_left_ == 0) finish(request.id);
+                        },
+                        [&](const SetSpeed& r) {
+                          restart(r.speed);
+                          finish(request.id);
+                        },
+                        [&](const runtime::WorldRequest& r) {
+                          try {
+                            simulation_.apply(r);
+                            finish(request.id);
+                          } catch (const InputError& error) {
+                            finish(request.id, error.what());
+                          }
+                        }},
+             request.action);
+}
+
+void RobotLoop::finish(std::uint64_t id, std::string error) {
+  unsent_.push_back({id, std::move(error)});
+}
+
+void RobotLoop::publish() {
+  LoopState state;
+  state.time = simulation_.now();
+  state.speed = pace_.speed();
+  state.paused = paused_;
+  state.healthy = simulation_.world().healthy();
+  if (paused_) state.hash = simulation_.world().hash();
+  state_.publish(state);
+  std::size_t sent = 0;
+  while (sent < unsent_.size() && outcomes_.post(unsent_[sent])) ++sent;
+  unsent_.erase(unsent_.begin(), unsent_.begin() + static_cast<std::ptrdiff_t>(sent));
+}
+
+}  // namespace nao::daemon

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <variant>
+#include <vector>
+
+#include "core/latest.h"
+#include "core/mailbox.h"
+#include "daemon/pace.h"
+#include "runtime/simulation.h"
+
+namespace nao::daemon {
+
+struct PauseWorld {};
+struct ResumeWorld {};
+/// While paused: this many physics steps, then paused again.
+struct StepWorld {
+  std::int64_t steps = 1;
+};
+struct SetSpeed {
+  double speed = 1;  // simulated seconds per second; infinite: as fast as it goes
+};
+
+/// What the simulator's user may ask of the loop.
+struct LoopRequest {
+  std::uint64_t id = 0;
+  std::variant<PauseWorld, ResumeWorld, StepWorld, SetSpeed, runtime::WorldRequest> action;
+};
+
+/// How a request ended; every one gets exactly one.
+struct LoopOutcome {
+  std::uint64_t id = 0;
+  std::string error;  // empty: done
+};
+
+/// How the loop is doing, published once per cycle.
+struct LoopState {
+  SimTime time{};
+  double speed = 1;
+  bool paused = false;
+  bool healthy = true;
+  std::uint64_t hash = 0;  // of the world; only while paused or stopped
+};
+
+/// The simulation thread: advances the simulation at its pace and nothing else. Owns the
+/// simulation from start() to stop(). After every cycle, and after every request while paused, it
+/// calls `after_cycle`, on its own thread.
+class RobotLoop {
+ public:
+  RobotLoop(runtime::Simulation& simulation, double speed, std::function<void()> after_cycle);
+  ~RobotLoop();
+
+  void start();
+  void stop();  // waits for the thread
+
+  /// From any thread. False when too many requests wait.
+  [[nodiscard]] bool post(LoopRequest request);
+
+  Mailbox<LoopOutcome>& outcomes() { return outcomes_; }
+  const Latest<LoopState>& state() const { return state_; }
+
+  /// Before start(): called each cycle; returns true while the loop must wait, such as for images
+  /// at full speed. Must not block.
+  void holdWhile(std::function<bool()> hold) { hold_ = std::move(hold); }
+  /// From any thread: what the loop may be waiting for has changed.
+  void wake();
+
+ private:
+  void run();
+  void handleRequests();
+  void handle(const LoopRequest& request);
+  void finish(std::uint64_t id, std::string error = {});
+  bool mayAdvance();
+  void advance();
+  void publish();
+  void waitUntil(Pace::Wall wall);
+
+  runtime::Simulation& simulation_;
+  std::function<void()> after_cycle_;
+  std::function<bool()> hold_;
+  Mailbox<LoopRequest> requests_{256};
+  Mailbox<LoopOutcome> outcomes_{4096};
+  std::vector<LoopOutcome> unsent_;
+  Latest<LoopState> state_;
+  Pace pace_;
+  bool paused_ = false;
+  std::int64_t steps_left_ = 0;
+  std::uint64_t step_request_ = 0;
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool awake_ = false;
+  std::atomic<bool> stopping_{false};
+  std::thread thread_;
+};
+
+}  // namespace nao::daemon

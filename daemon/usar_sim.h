@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/latest.h"
+#include "core/scene_frame.h"
+#include "daemon/robot_loop.h"
+#include "naoqi_api/pending.h"
+#include "naoqi_api/service.h"
+
+namespace nao::daemon {
+
+/// What a user of the simulator needs beyond the robot: where things really are, time, pushes and
+/// places. One service of its own, on every robot's port, because no NaoQi service may know the
+/// truth. I/O thread. Poses are in W, metres and radians.
+class UsarSim {
+ public:
+  /// Speaks for robot number `robot` of the loop's simulation.
+  UsarSim(RobotLoop& loop, const Latest<SceneFrame>& truth, std::size_t robot);
+
+  rpc::Service describe();
+
+  /// Ends the calls whose requests the loop has done; `outcomes` may belong to other ports too.
+  void deliver(const std::vector<LoopOutcome>& outcomes);
+
+ private:
+  using Pending = rpc::Pending<void>;
+
+  std::vector<std::string> robotNames() const;
+  std::vector<float> floorPose() const;
+  std::vector<float> floorPoseOf(const std::string& robot) const;
+  std::vector<float> torsoPose() const;
+  std::vector<float> ballPose() const;
+  double time() const;
+  float speed() const;
+  bool isPaused() const;
+  std::string hash() const;
+
+  Pending pause();
+  Pending resume();
+  Pending step(std::int64_t steps);
+  Pending setSpeed(double speed);
+  Pending reset();
+  Pending push(double x, double y, double z, double duration);
+  Pending placeRobot(double x, double y, double theta);
+  Pending placeBall(double x, double y, double z);
+
+  Pending ask(decltype(LoopRequest::action) action);
+  const SceneFrame::Robot& find(const std::string& name, const SceneFrame& scene) const;
+
+  RobotLoop& loop_;
+  const Latest<SceneFrame>& truth_;
+  std::size_t robot_;
+  std::uint64_t next_id_;
+  std::map<std::uint64_t, Pending> asked_;
+};
+
+}  // namespace nao::daemon
