@@ -18,7 +18,7 @@ StanceSolver::StanceSolver(std::shared_ptr<const RobotModel> model)
 }
 
 bool StanceSolver::solve(const StanceDemand& demand, JointArray<double>& angle) {
-  Pose X_OT = Pose::Identity();
+  Pose& X_OT = X_OT_;
   motion::LegSolution legs;
   for (int i = 0; i < kIterations; ++i) {
     X_OT.linear() = rotationFromRpy(demand.roll, demand.pitch, yaw_);

@@ -30,6 +30,10 @@ class StanceSolver {
   /// False if a leg can not reach its place; it is then as near as it gets.
   bool solve(const StanceDemand& demand, JointArray<double>& angle);
 
+  /// Where the last solve() has the torso, and the bodies in it.
+  const Pose& torso() const { return X_OT_; }
+  const motion::Kinematics& body() const { return kinematics_; }
+
   /// Height of the centre of mass over the floor [m] when the hips are lowered by `knee_bend` of
   /// the leg's length from straight, feet side by side, the torso pitched.
   double calcComHeight(double knee_bend, double pitch, JointArray<double> angle);
@@ -40,7 +44,8 @@ class StanceSolver {
  private:
   motion::LegIk ik_;
   motion::Kinematics kinematics_;
-  double torso_to_sole_ = 0;    // [m] legs straight
+  double torso_to_sole_ = 0;  // [m] legs straight
+  Pose X_OT_ = Pose::Identity();
   double yaw_ = 0;              // [rad] torso in O, found last
   Vec3 p_TCom_ = Vec3::Zero();  // [m] found last
 };

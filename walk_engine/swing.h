@@ -11,6 +11,9 @@ namespace nao::walk {
 Pose calcSwing(const Pose2& from, const Pose2& to, double progress, double height,
                const Tuning& tuning);
 
+/// How far along its way the swinging sole is, 0 to 1.
+double calcSwingPart(double progress, const Tuning& tuning);
+
 /// A flat pose on the floor.
 Pose onFloor(const Pose2& place);
 

@@ -16,6 +16,11 @@ struct Tuning {
   double swing_lead = 0.08;            // of the swing, straight up at its start; free
   double swing_settle = 0.12;          // of the swing, straight down at its end; free
   double arm_swing = 2.5;              // [rad/m] shoulder pitch by foot ahead of the other; free
+  double swing_ease = 1;               // 0 cosine to 1 minimum jerk; free
+  double swing_reaction = 0;           // [s^2] shift of the pressure by the foot's acceleration
+  double lead_speed = 1;
+  double lead_torque = 1;
+  double servo_lead = 1;  // 1 with ServoLead, 0 without
 };
 
 }  // namespace nao::walk

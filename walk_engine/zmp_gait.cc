@@ -7,6 +7,7 @@
 
 #include "walk_engine/footstep_plan.h"
 #include "walk_engine/preview_control.h"
+#include "walk_engine/servo_lead.h"
 #include "walk_engine/stance.h"
 #include "walk_engine/step_rules.h"
 #include "walk_engine/swing.h"
@@ -22,6 +23,12 @@ constexpr double kMinRise = 0.1;      // [s] into the walking pose, at least
 constexpr double kRiseSpeed = 0.35;   // of a joint's top speed, on average at most
 constexpr double kAtRest = 0.002;     // [m/s] of the centre of mass
 constexpr double kSmallAngle = 1e-4;  // [rad] a walking pose already taken
+
+// Arms where they hang while standing, for the height of the centre of mass.
+JointArray<double> standingAngles(const RobotModel& model) {
+  const Posture* stand = model.findPosture("StandInit");
+  return stand ? stand->angle : JointArray<double>(model.jointCount(), 0.0);
+}
 
 double minimumJerk(double s) { return s * s * s * (10 + s * (6 * s - 15)); }
 
@@ -57,6 +64,9 @@ class ZmpGait final : public motion::Gait {
   void rise(JointCommand& command);
   void walk(JointCommand& command);
   StanceDemand calcDemand() const;
+  void pose(JointArray<double>& angle);
+  std::array<FootLoad, 2> calcLoads() const;
+  Eigen::Vector2d calcSwingAcceleration(std::int64_t tick) const;
   void moveCom();
   void swingArms(JointCommand& command);
   Pose2 placeOf(Foot foot) const;
@@ -65,6 +75,8 @@ class ZmpGait final : public motion::Gait {
   Tuning tuning_;
   double dt_;  // [s] of a tick
   StanceSolver stance_;
+  ServoLead servo_lead_;
+  double total_mass_;  // [kg]
   double com_height_;  // [m]
   PreviewControl preview_;
   FootstepPlan plan_;
@@ -86,8 +98,10 @@ ZmpGait::ZmpGait(std::shared_ptr<const RobotModel> model, const Tuning& tuning)
       tuning_(tuning),
       dt_(toSeconds(model_->cycle)),
       stance_(model_),
-      com_height_(stance_.calcComHeight(tuning.knee_bend, tuning.torso_pitch,
-                                        JointArray<double>(model_->jointCount(), 0.0))),
+      servo_lead_(model_, tuning.lead_speed, tuning.lead_torque),
+      total_mass_(model_->totalMass()),
+      com_height_(
+          stance_.calcComHeight(tuning.knee_bend, tuning.torso_pitch, standingAngles(*model_))),
       preview_(com_height_, kGravity, dt_, static_cast<int>(std::lround(tuning.preview / dt_))),
       plan_(tuning, dt_),
       zmp_x_(static_cast<std::size_t>(preview_.samples()) + 1),
@@ -149,11 +163,13 @@ void ZmpGait::begin(const JointCommand& command) {
   }
   position_ = robotPlace(feet);
   plan_.reset(feet, tick_);
+  com_height_ = stance_.calcComHeight(tuning_.knee_bend, tuning_.torso_pitch, command.angle);
   const Eigen::Vector2d zmp = plan_.calcZmp(tick_);
   com_x_ = {zmp.x(), 0, 0, 0};
   com_y_ = {zmp.y(), 0, 0, 0};
   rise_.from = rise_.to = command.angle;
-  stance_.solve(calcDemand(), rise_.to);
+  servo_lead_.reset();
+  pose(rise_.to);
   double seconds = 0;
   double way = 0;  // [rad]
   for (std::size_t i = 0; i < model_->jointCount(); ++i) {
@@ -189,15 +205,31 @@ void ZmpGait::walk(JointCommand& command) {
   plan_.advance(tick_, tick_ + preview_.samples() + 1);
   moveCom();
   swingArms(command);
-  stance_.solve(calcDemand(), command.angle);
+  pose(command.angle);
   position_ = robotPlace({placeOf(Foot::Left), placeOf(Foot::Right)});
   const bool calm = std::hypot(com_x_.velocity, com_y_.velocity) < kAtRest;
   if (plan_.atRest(tick_) && calm) phase_ = Phase::Idle;
 }
 
+// Of the swinging sole along the floor [m/s^2].
+Eigen::Vector2d ZmpGait::calcSwingAcceleration(std::int64_t tick) const {
+  for (const PlannedStep& step : plan_.steps()) {
+    if (tick >= step.end()) continue;
+    if (tick < step.lift()) break;
+    const double h = 1.0 / step.single_support;
+    const double s = static_cast<double>(tick - step.lift()) * h;
+    const double change = calcSwingPart(s + h, tuning_) - 2 * calcSwingPart(s, tuning_) +
+                          calcSwingPart(s - h, tuning_);
+    return change / (dt_ * dt_) * Eigen::Vector2d(step.to.x - step.from.x, step.to.y - step.from.y);
+  }
+  return Eigen::Vector2d::Zero();
+}
+
 void ZmpGait::moveCom() {
   for (std::size_t j = 0; j < zmp_x_.size(); ++j) {
-    const Eigen::Vector2d zmp = plan_.calcZmp(tick_ + static_cast<std::int64_t>(j));
+    const std::int64_t tick = tick_ + static_cast<std::int64_t>(j);
+    const Eigen::Vector2d zmp =
+        plan_.calcZmp(tick) - tuning_.swing_reaction * calcSwingAcceleration(tick);
     zmp_x_[j] = zmp.x();
     zmp_y_[j] = zmp.y();
   }
@@ -218,6 +250,33 @@ StanceDemand ZmpGait::calcDemand() const {
         calcSwing(step->from, step->to, progress, step->height, tuning_);
   }
   return demand;
+}
+
+// Leg commands for the present demand.
+void ZmpGait::pose(JointArray<double>& angle) {
+  stance_.solve(calcDemand(), angle);
+  if (tuning_.servo_lead > 0)
+    servo_lead_.apply(stance_.body(), stance_.torso(), calcLoads(), angle);
+}
+
+// The ground carries weight and acceleration at the zero moment point, each foot its part.
+std::array<FootLoad, 2> ZmpGait::calcLoads() const {
+  const Vec3 force = total_mass_ * Vec3(com_x_.acceleration, com_y_.acceleration, kGravity);
+  const Vec3 zmp(preview_.calcZmp(com_x_), preview_.calcZmp(com_y_), 0);
+  std::array<FootLoad, 2> loads;
+  const PlannedStep* step = plan_.current();
+  if (step && tick_ > step->lift()) {
+    loads[index(otherFoot(step->swing))] = {zmp, force};
+    return loads;
+  }
+  const Vec3 left(plan_.feet()[0].x, plan_.feet()[0].y, 0);
+  const Vec3 right(plan_.feet()[1].x, plan_.feet()[1].y, 0);
+  const Vec3 across = left - right;
+  const double share = std::clamp((zmp - right).dot(across) / across.squaredNorm(), 0.0, 1.0);
+  const Vec3 offset = zmp - (right + share * across);
+  loads[0] = {left + offset, share * force};
+  loads[1] = {right + offset, (1 - share) * force};
+  return loads;
 }
 
 // The sole's place on the floor now, swinging or not.

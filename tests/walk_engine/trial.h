@@ -42,6 +42,12 @@ class Trial {
     while (world_.now() < end) cycle();
   }
 
+  /// Runs, and forgets the tilt so far: the posture at the start may lean.
+  void settle(double seconds) {
+    run(seconds);
+    max_tilt_ = 0;
+  }
+
   /// Until the gait has ended, `limit` [s] at most; then half a second more.
   void runToEnd(double limit = 60) {
     const SimTime end = world_.now() + fromSeconds(limit);
