@@ -25,7 +25,7 @@ INERTIAL = ["AccX", "AccY", "AccZ", "GyrX", "GyrY"]
 
 class Step(NamedTuple):
     name: str
-    start: float  # s
+    start: float  # s, simulated
     end: float
 
 
@@ -35,7 +35,6 @@ class DemoError(Exception):
 
 class Demo:
     def __init__(self, address: str, folder: str):
-        self._started = time.monotonic()
         self._folder = folder
         self.steps: List[Step] = []
         self.figures: List[tuple] = []
@@ -43,10 +42,8 @@ class Demo:
         ip, port = address.rsplit(":", 1)
         self._proxy = lambda name: ALProxy(name, ip, int(port))
         self.motion, self.memory = self._proxy("ALMotion"), self._proxy("ALMemory")
-        self.recorder = Recorder(address, self.clock)
-
-    def clock(self) -> float:
-        return time.monotonic() - self._started
+        self.recorder = Recorder(address)
+        self.clock = self._proxy("UsarSim").time  # s, simulated
 
     def tell(self, text: str) -> None:
         print("[%5.1f s] %s" % (self.clock(), text), flush=True)
@@ -228,4 +225,4 @@ if __name__ == "__main__":
     try:
         Demo(sys.argv[1], sys.argv[2]).run()
     except RuntimeError as problem:
-        raise SystemExit("demo: cannot begin: %s" % " ".join(str(problem).split()))
+        raise SystemExit("demo: %s" % " ".join(str(problem).split()))

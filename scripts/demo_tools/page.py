@@ -58,6 +58,9 @@ def toHtml(joints: Sequence[str], samples: Sequence[Sample], steps: Sequence, fi
         "<h2>Joints</h2><p>Commands and encoder readings, the latter on top. The numbers along "
         "the top edge are the steps of the table above.</p>", _jointLegend(),
         '<div class="two">%s</div>' % _jointPlots(joints, samples, steps),
+        "<h2>Torso tilt</h2><p>What the inertial sensor makes of it, and how it really is.</p>",
+        _legend(("commanded", "true"), ("measured", "inertial sensor")),
+        '<div class="two">%s</div>' % _tiltPlots(samples, steps),
         "<h2>What it saw</h2>", '<div class="two">%s</div>' % _pictures(pictures),
         "</body></html>\n"])
 
@@ -100,20 +103,30 @@ def _track(samples) -> str:
 
 
 def _jointPlots(joints, samples, steps) -> str:
-    times = [sample.time for sample in samples]
-    bands = [(max(step.start, times[0]), min(step.end, times[-1]), str(i))
-             for i, step in enumerate(steps, 1) if step.end - step.start > 0.3]
     plots: List[str] = []
     for name in SHOWN_JOINTS:
-        if name not in joints:
-            continue
-        joint = joints.index(name)
-        plot = Plot(name, "time [s]", "angle [deg]")
-        plot.bands(bands)
-        plot.curve(times, [math.degrees(s.commanded[joint]) for s in samples], "commanded")
-        plot.curve(times, [math.degrees(s.measured[joint]) for s in samples], "measured")
-        plots.append(plot.svg())
+        if name in joints:
+            joint = joints.index(name)
+            plots.append(_pair(name, samples, steps, [s.commanded[joint] for s in samples],
+                               [s.measured[joint] for s in samples]))
     return "".join(plots)
+
+
+def _tiltPlots(samples, steps) -> str:
+    return "".join(_pair(name, samples, steps, [s.true_tilt[axis] for s in samples],
+                         [s.tilt[axis] for s in samples])
+                   for axis, name in enumerate(("Torso roll", "Torso pitch")))
+
+
+def _pair(title, samples, steps, wide, thin) -> str:
+    """Two curves of angles over time, the thin one on top, with the steps behind."""
+    times = [sample.time for sample in samples]
+    plot = Plot(title, "simulated time [s]", "angle [deg]")
+    plot.bands([(max(step.start, times[0]), min(step.end, times[-1]), str(i))
+                for i, step in enumerate(steps, 1) if step.end - step.start > 0.3])
+    plot.curve(times, [math.degrees(angle) for angle in wide], "commanded")
+    plot.curve(times, [math.degrees(angle) for angle in thin], "measured")
+    return plot.svg()
 
 
 def _pictures(pictures) -> str:

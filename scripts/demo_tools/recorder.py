@@ -1,9 +1,13 @@
-"""Watches the robot over a connection of its own while the demo's client works."""
+"""Watches the robot over a connection of its own while the demo's client works.
+
+Beside what any client may ask it asks UsarSim, the simulator's own service, for the time and for
+where the robot really is.
+"""
 
 import math
 import threading
 import time
-from typing import List, NamedTuple, Sequence, Tuple
+from typing import List, NamedTuple, Tuple
 
 from usarnaoqi_sdk import Session
 
@@ -22,23 +26,23 @@ class Pose(NamedTuple):
 
 
 class Sample(NamedTuple):
-    time: float  # s since the demo's start
+    time: float  # s, simulated
     commanded: List[float]  # rad, by joint
     measured: List[float]
     odometry: Pose
     true: Pose
-    tilt: Tuple[float, float]  # rad; roll and pitch by the inertial sensor
+    tilt: Tuple[float, float]  # rad; torso roll and pitch by the inertial sensor
+    true_tilt: Tuple[float, float]
 
 
 class Recorder:
     """Samples about 20 times a second from start() to stop(), on a thread of its own."""
 
-    def __init__(self, address: str, clock):
+    def __init__(self, address: str):
         self._session = Session(address)
         self._motion = self._session.service("ALMotion")
         self._memory = self._session.service("ALMemory")
         self._sim = self._session.service("UsarSim")
-        self._clock = clock
         self._ending = threading.Event()
         self._thread = threading.Thread(target=self._run, daemon=True)
         self.joints: List[str] = self._motion.getBodyNames("Body")
@@ -55,14 +59,16 @@ class Recorder:
 
     def sample(self) -> Sample:
         """How things stand now. The questions go out together, so the answers agree in time."""
-        now = self._clock()
-        futures = [self._motion.getAngles("Body", False, _async=True),
+        futures = [self._sim.time(_async=True), self._sim.floorPose(_async=True),
+                   self._sim.torsoPose(_async=True),
+                   self._motion.getAngles("Body", False, _async=True),
                    self._motion.getAngles("Body", True, _async=True),
                    self._motion.getRobotPosition(True, _async=True),
-                   self._memory.getListData(TILT_KEYS, _async=True),
-                   askTruth(self._sim)]
-        commanded, measured, odometry, tilt, truth = [future.value(10) for future in futures]
-        return Sample(now, commanded, measured, Pose(*odometry), toPose(truth), tuple(tilt))
+                   self._memory.getListData(TILT_KEYS, _async=True)]
+        now, floor, torso, commanded, measured, odometry, tilt = [
+            future.value(10) for future in futures]
+        return Sample(now, commanded, measured, Pose(*odometry), Pose(*floor), tuple(tilt),
+                      tuple(torso[3:5]))
 
     def _run(self) -> None:
         due = time.monotonic()
@@ -73,16 +79,6 @@ class Recorder:
             except (RuntimeError, TimeoutError) as error:
                 self.problem = str(error)
                 return
-
-
-def askTruth(sim):
-    """Asks the simulator, in a Future, where the robot really is: what no robot could know."""
-    return sim.truePose(_async=True)
-
-
-def toPose(truth: Sequence[float]) -> Pose:
-    """The place on the ground of x, y, z, roll, pitch, yaw."""
-    return Pose(truth[0], truth[1], truth[5])
 
 
 def inWorld(pose: Pose, known: Pose, known_in_world: Pose) -> Pose:

@@ -61,7 +61,7 @@ class Ticks(unittest.TestCase):
 class Page(unittest.TestCase):
     def html(self):
         samples = [Sample(0.05 * i, [0.1 * i], [0.1 * i], Pose(0.01 * i, 0, 0),
-                          Pose(0.01 * i, 0, 0), (0, 0)) for i in range(40)]
+                          Pose(0.01 * i, 0, 0), (0, 0), (0, 0)) for i in range(40)]
         return page.toHtml(["LKneePitch"], samples, [Step("a <step>", 0, 2)], [("f", "1 m")],
                            [("top", png.toPng(1, 1, b"abc"))])
 
@@ -73,7 +73,8 @@ class Page(unittest.TestCase):
     def testIsWellFormed(self):
         body = re.search("<body>.*</body>", self.html(), re.DOTALL).group(0)
         root = ElementTree.fromstring(body)
-        self.assertEqual(len(list(root.iter("polyline"))), 4)  # two tracks, one joint's two curves
+        # Two curves each: the tracks, one joint, roll and pitch.
+        self.assertEqual(len(list(root.iter("polyline"))), 8)
         self.assertIn("a <step>", [cell.text for cell in root.iter("td")])
 
 
