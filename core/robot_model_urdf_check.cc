@@ -86,7 +86,7 @@ class Checker {
   std::string link(const TiXmlElement& joint, const char* role) const {
     const TiXmlElement* element = joint.FirstChildElement(role);
     if (element == nullptr) fail(joint.Row(), "expected <" + std::string(role) + " link=..>");
-    const std::string name = attribute(*element, "link");
+    std::string name = attribute(*element, "link");
     if (lines_.links.count(name) == 0) {
       fail(element->Row(), "`link`: expected the name of a <link>, found '" + name + "'");
     }

@@ -204,5 +204,26 @@ TEST(BrokenRobot, CameraComplaintsNameTheLine) {
             "list");
 }
 
+// A file cut off anywhere is refused with a sentence, or whole enough to load; nothing else.
+TEST(BrokenRobot, FilesCutOffAnywhereAreRefusedInASentence) {
+  const std::string robot = NAO_SOURCE_DIR "/robots/nao_h21_v33/";
+  const TemporaryFolder folder;
+  const std::vector<std::string> parts{"model.urdf", "body.yaml", "postures.yaml", "cameras.yaml"};
+  for (const std::string& part : parts) folder.write("cut/" + part, read(robot + part));
+  for (const std::string& part : parts) {
+    const std::string whole = read(robot + part);
+    for (std::size_t i = 0; i < 60; ++i) {
+      folder.write("cut/" + part, whole.substr(0, whole.size() * i / 60));
+      try {
+        loadRobotModel(folder.path(), "cut");
+      } catch (const InputError& error) {
+        EXPECT_EQ(folder.withoutPath(error.what()).rfind("cut/", 0), 0u) << error.what();
+      }
+    }
+    folder.write("cut/" + part, whole);
+  }
+  EXPECT_NO_THROW(loadRobotModel(folder.path(), "cut"));
+}
+
 }  // namespace
 }  // namespace nao
