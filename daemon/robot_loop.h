@@ -65,8 +65,8 @@ class RobotLoop {
   Mailbox<LoopOutcome>& outcomes() { return outcomes_; }
   const Latest<LoopState>& state() const { return state_; }
 
-  /// Before start(): called each cycle; returns true while the loop must wait, such as for images
-  /// at full speed. Must not block.
+  /// Before start(): while this is true a world at full speed, or one that is stepped, waits: no
+  /// picture may be missing. Called on the simulation thread; must not block.
   void holdWhile(std::function<bool()> hold) { hold_ = std::move(hold); }
   /// From any thread: what the loop may be waiting for has changed.
   void wake();

@@ -19,6 +19,7 @@ class Robot {
   explicit Robot(std::shared_ptr<const RobotModel> model);
 
   const RobotModel& model() const { return *model_; }
+  const std::shared_ptr<const RobotModel>& sharedModel() const { return model_; }
   const std::shared_ptr<motion::RobotPorts>& ports() const { return ports_; }
 
   /// Takes over what clients asked for. Called by tick(), and alone while the world is paused, so

@@ -1,0 +1,12 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace nao::app {
+
+/// Each adds one subcommand to the program; it runs while the command line is parsed.
+void addServe(CLI::App& app);
+
+}  // namespace nao::app

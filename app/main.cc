@@ -1,0 +1,23 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "app/commands.h"
+#include "core/check.h"
+
+// Exit codes: 0 done, 1 something failed on the way, 2 the user asked for something impossible.
+int main(int argc, char** argv) {
+  CLI::App app("UsarNaoQi: a simulated Nao that speaks the Nao's own protocols.", "usarnaoqi");
+  app.require_subcommand(1);
+  app.footer("Start with:  usarnaoqi serve      then connect any NaoQi client to 127.0.0.1:9559.");
+  nao::app::addServe(app);
+  try {
+    app.parse(argc, argv);
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    const int code = app.exit(error);
+    return code == 0 ? 0 : 2;
+  } catch (const nao::InputError& error) {
+    std::fprintf(stderr, "usarnaoqi: %s\n", error.what());
+    return 2;
+  }
+}

@@ -1,0 +1,85 @@
+#include <CLI/CLI.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <cinttypes>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/source_paths.h"
+#include "daemon/daemon.h"
+
+namespace nao::app {
+namespace {
+
+struct Arguments {
+  daemon::Options options;
+  std::vector<std::string> robots;
+  std::string speed = "1";
+};
+
+void printReady(daemon::Daemon& daemon, const std::string& listen) {
+  for (std::size_t i = 0; i < daemon.robotCount(); ++i) {
+    std::printf("ready: %s (%s) at tcp://%s:%d\n", daemon.robotName(i).c_str(),
+                daemon.robotModel(i).name.c_str(), listen.c_str(), daemon.port(i));
+  }
+  std::fflush(stdout);
+}
+
+void serve(Arguments& arguments) {
+  daemon::Options& options = arguments.options;
+  for (const std::string& robot : arguments.robots) {
+    options.robots.push_back(daemon::parseRobot(robot));
+  }
+  options.speed = daemon::parseSpeed(arguments.speed);
+  options.world = findSourceFile(options.world);
+  options.robots_dir = findSourceFile(options.robots_dir);
+
+  daemon::Daemon daemon(options);
+  boost::asio::signal_set signals(daemon.io(), SIGINT, SIGTERM);
+  signals.async_wait([&daemon](const auto& error, int) {
+    if (!error) daemon.stop();
+  });
+  daemon.run([&] { printReady(daemon, options.listen); });
+  const daemon::LoopState end = daemon.state();
+  std::printf("stopped at %.3f s of simulated time, state %016" PRIx64 "\n", toSeconds(end.time),
+              end.hash);
+}
+
+}  // namespace
+
+void addServe(CLI::App& app) {
+  auto arguments = std::make_shared<Arguments>();
+  daemon::Options& options = arguments->options;
+  CLI::App* command = app.add_subcommand("serve", "Hosts robots until Ctrl-C.");
+  command->add_option("--robot", arguments->robots,
+                      "A robot of the folder robots/, as MODEL or NAME=MODEL. Repeat it for more\n"
+                      "robots: number i listens on port + i. Default: those of the world, else\n"
+                      "nao_h21_v33.");
+  command->add_option("--world", options.world, "The world, a YAML file.")->capture_default_str();
+  command->add_option("--listen", options.listen, "The address to listen on.")
+      ->capture_default_str();
+  command->add_option("--port", options.port, "The first robot's port; 0 takes any free ones.")
+      ->capture_default_str();
+  command
+      ->add_option("--speed", arguments->speed,
+                   "Simulated seconds per second, or 'max' for as fast as it goes.")
+      ->capture_default_str();
+  command->add_option("--seed", options.seed, "Start of all random numbers.")
+      ->capture_default_str();
+  command->add_option("--step", options.step, "Length of a physics step [s], 0.001 to 0.005.")
+      ->capture_default_str();
+  command->add_option("--robots-dir", options.robots_dir, "Where the robots' folders are.")
+      ->capture_default_str();
+  command->add_flag("--strict", options.strict,
+                    "Refuse calls before authentication, as libqi 4 does (default: answer them,\n"
+                    "as NAOqi 2.1 to 2.8 do).");
+  command->footer(
+      "Limits: payload 16 MiB (64 KiB before authentication), nesting 64, 1024 connections,\n"
+      "4096 subscriptions and 1024 unfinished calls a connection; above 1 MiB unsent a client is\n"
+      "no longer read, above 8 MiB it is closed.");
+  command->callback([arguments] { serve(*arguments); });
+}
+
+}  // namespace nao::app

@@ -1,0 +1,97 @@
+#include "daemon/daemon.h"
+
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/post.hpp>
+
+#include "core/check.h"
+
+namespace nao::daemon {
+namespace {
+
+std::vector<RobotOption> robotsOf(const Options& options, const WorldModel& world) {
+  if (!options.robots.empty()) return options.robots;
+  std::vector<RobotOption> robots;
+  for (const RobotPlace& place : world.robots)
+    robots.push_back({place.name, place.model, place.start});
+  if (robots.empty()) robots.push_back({"nao", "nao_h21_v33", {}});
+  return robots;
+}
+
+// Robots without a place of their own stand side by side.
+Pose2 placeOf(const RobotOption& robot, std::size_t i) {
+  constexpr double kBeside = 0.8;  // [m] out of arm's reach
+  if (robot.start.x != 0 || robot.start.y != 0 || robot.start.theta != 0) return robot.start;
+  return {0, -kBeside * static_cast<double>(i), 0};
+}
+
+runtime::Simulation makeSimulation(const Options& options) {
+  const auto world = loadWorldModel(options.world);
+  std::vector<sim::RobotSetup> setups;
+  for (const RobotOption& robot : robotsOf(options, *world)) {
+    for (const sim::RobotSetup& other : setups) {
+      if (other.name == robot.name) {
+        throw InputError("--robot: the name '" + robot.name +
+                         "' is used twice, expected NAME=MODEL with different names");
+      }
+    }
+    setups.push_back({robot.name, loadRobotModel(options.robots_dir, robot.model),
+                      placeOf(robot, setups.size())});
+  }
+  return {world, setups, fromSeconds(options.step)};
+}
+
+}  // namespace
+
+Daemon::Daemon(const Options& options)
+    : options_(options),
+      simulation_(makeSimulation(options)),
+      loop_(simulation_, options.speed,
+            [this] {
+              cameras_.wake();
+              scheduleDelivery();
+            }),
+      cameras_([this] {
+        loop_.wake();
+        scheduleDelivery();
+      }) {
+  const auto tasks = std::make_shared<rpc::Tasks>();
+  for (std::size_t i = 0; i < simulation_.robotCount(); ++i) {
+    hosts_.push_back(
+        std::make_unique<RobotHost>(HostContext{io_, loop_, simulation_, options_, tasks}, i));
+    cameras_.add(hosts_.back()->pictures());
+    simulation_.showTo(hosts_.back()->pictures(), i);
+  }
+  loop_.holdWhile([this] { return cameras_.pendingJobs() > 0; });
+}
+
+Daemon::~Daemon() {
+  cameras_.stop();
+  loop_.stop();
+}
+
+void Daemon::run(const std::function<void()>& ready) {
+  const auto work = boost::asio::make_work_guard(io_);
+  cameras_.start();
+  loop_.start();
+  if (ready) boost::asio::post(io_, ready);
+  io_.run();
+  loop_.stop();
+  cameras_.stop();
+  for (auto& host : hosts_) host->close();
+}
+
+void Daemon::stop() { io_.stop(); }
+
+// Any thread. Ticks come faster than clients are served: one delivery at a time is on its way.
+void Daemon::scheduleDelivery() {
+  if (delivery_due_.exchange(true)) return;
+  boost::asio::post(io_, [this] { deliver(); });
+}
+
+void Daemon::deliver() {
+  delivery_due_ = false;
+  const auto outcomes = loop_.outcomes().drain();
+  for (auto& host : hosts_) host->deliver(outcomes);
+}
+
+}  // namespace nao::daemon

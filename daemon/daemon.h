@@ -1,0 +1,53 @@
+#pragma once
+
+#include <atomic>
+#include <boost/asio/io_context.hpp>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "daemon/camera_loop.h"
+#include "daemon/options.h"
+#include "daemon/robot_host.h"
+#include "daemon/robot_loop.h"
+#include "runtime/simulation.h"
+
+namespace nao::daemon {
+
+/// The whole program behind `usarnaoqi serve`: one simulation thread, one camera thread, and the
+/// caller's thread for all clients.
+class Daemon {
+ public:
+  /// Loads the files and opens the ports. @throws InputError with one sentence for the user.
+  explicit Daemon(const Options& options);
+  ~Daemon();
+
+  /// Serves until stop(). Calls `ready` once clients may connect.
+  void run(const std::function<void()>& ready = {});
+
+  /// Ends run(). From the thread of run() or from a signal handler's completion.
+  void stop();
+
+  boost::asio::io_context& io() { return io_; }
+  std::size_t robotCount() const { return hosts_.size(); }
+  std::string robotName(std::size_t i) const { return simulation_.robotName(i); }
+  const RobotModel& robotModel(std::size_t i) { return simulation_.robot(i).model(); }
+  std::uint16_t port(std::size_t i) const { return hosts_[i]->port(); }
+
+  /// After run(): how far the simulation came.
+  LoopState state() const { return *loop_.state().get(); }
+
+ private:
+  void scheduleDelivery();
+  void deliver();
+
+  Options options_;
+  boost::asio::io_context io_{1};
+  runtime::Simulation simulation_;
+  RobotLoop loop_;
+  CameraLoop cameras_;
+  std::vector<std::unique_ptr<RobotHost>> hosts_;
+  std::atomic<bool> delivery_due_{false};
+};
+
+}  // namespace nao::daemon

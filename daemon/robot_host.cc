@@ -1,0 +1,57 @@
+#include "daemon/robot_host.h"
+
+#include <unistd.h>
+
+#include "daemon/machine_id.h"
+
+namespace nao::daemon {
+namespace {
+
+// NaoQi's clock at the start of every world, so that runs repeat: 13 March 2011.
+constexpr std::chrono::seconds kEpoch{1300000000};
+
+std::uint16_t portOf(const Options& options, std::size_t robot) {
+  if (options.port == 0) return 0;
+  return static_cast<std::uint16_t>(options.port + robot);
+}
+
+}  // namespace
+
+RobotHost::RobotHost(const HostContext& context, std::size_t robot)
+    : link_(context.simulation.robot(robot).sharedModel(), context.simulation.robot(robot).ports()),
+      images_(std::make_shared<camera::ImageFeed>()),
+      pictures_(std::make_shared<camera::RenderQueue>(images_)),
+      usar_sim_(context.loop, context.simulation.truth(), robot),
+      video_(link_.sharedModel(), images_, kEpoch),
+      hub_(hubOptions(context)) {
+  addServices();
+  server_ = std::make_unique<Server>(context.io, hub_, context.options.listen,
+                                     portOf(context.options, robot));
+}
+
+rpc::HubOptions RobotHost::hubOptions(const HostContext& context) {
+  rpc::HubOptions options;
+  options.personality =
+      context.options.strict ? rpc::Personality::libqi4() : rpc::Personality::naoqi();
+  options.machine_id = machineId();
+  options.process_id = static_cast<std::uint32_t>(::getpid());
+  options.call_later = [this](Duration delay, std::function<void()> then) {
+    link_.after(delay, std::move(then));
+  };
+  options.clock = [this] { return kEpoch + link_.now().time_since_epoch(); };
+  options.tasks = context.tasks;
+  return options;
+}
+
+void RobotHost::addServices() {
+  hub_.add(video_.describe());
+  hub_.add(usar_sim_.describe());
+}
+
+void RobotHost::deliver(const std::vector<LoopOutcome>& outcomes) {
+  link_.deliver();
+  video_.deliverImages();
+  usar_sim_.deliver(outcomes);
+}
+
+}  // namespace nao::daemon

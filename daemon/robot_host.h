@@ -1,0 +1,59 @@
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "camera/image_feed.h"
+#include "camera/render_queue.h"
+#include "daemon/options.h"
+#include "daemon/robot_loop.h"
+#include "daemon/server.h"
+#include "daemon/usar_sim.h"
+#include "naoqi_api/robot_link.h"
+#include "naoqi_api/service_hub.h"
+#include "naoqi_api/services/al_video_device.h"
+
+namespace nao::daemon {
+
+/// What all robots of one daemon share.
+struct HostContext {
+  boost::asio::io_context& io;
+  RobotLoop& loop;
+  runtime::Simulation& simulation;
+  const Options& options;
+  std::shared_ptr<rpc::Tasks> tasks;
+};
+
+/// One robot as its clients see it: its services, their directory and the port it listens on.
+/// I/O thread; made and destroyed while the simulation thread stands.
+class RobotHost {
+ public:
+  /// @throws InputError when the port can not be listened on.
+  RobotHost(const HostContext& context, std::size_t robot);
+
+  std::uint16_t port() const { return server_->port(); }
+  const std::shared_ptr<camera::RenderQueue>& pictures() const { return pictures_; }
+
+  /// Hands on what the simulation and the camera have published since.
+  void deliver(const std::vector<LoopOutcome>& outcomes);
+
+  /// No more clients; calls under way end.
+  void close() { server_->close(); }
+
+ private:
+  rpc::HubOptions hubOptions(const HostContext& context);
+  void addServices();
+
+  services::RobotLink link_;
+  std::shared_ptr<camera::ImageFeed> images_;
+  std::shared_ptr<camera::RenderQueue> pictures_;
+  UsarSim usar_sim_;
+  services::AlVideoDevice video_;
+  rpc::ServiceHub hub_;
+  std::unique_ptr<Server> server_;
+};
+
+}  // namespace nao::daemon

@@ -1,0 +1,107 @@
+#include "daemon/session.h"
+
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/write.hpp>
+#include <utility>
+
+namespace nao::daemon {
+namespace {
+
+std::string addressOf(const boost::asio::ip::tcp::endpoint& endpoint) {
+  return "tcp://" + endpoint.address().to_string() + ":" + std::to_string(endpoint.port());
+}
+
+}  // namespace
+
+Session::Session(boost::asio::ip::tcp::socket socket, rpc::ServiceHub& hub, Closed closed)
+    : socket_(std::move(socket)),
+      half_message_(socket_.get_executor()),
+      closed_(std::move(closed)) {
+  Error ignored;
+  socket_.set_option(boost::asio::ip::tcp::no_delay(true), ignored);
+  socket_.set_option(boost::asio::socket_base::keep_alive(true), ignored);
+  const auto dialled = socket_.local_endpoint(ignored);
+  connection_ = std::make_unique<wire::QiConnection>(
+      hub, addressOf(dialled), [this](rpc::Bytes frame) { send(std::move(frame)); });
+}
+
+void Session::start() { read(); }
+
+void Session::read() {
+  if (reading_ || !socket_.is_open()) return;
+  reading_ = true;
+  socket_.async_read_some(boost::asio::buffer(buffer_),
+                          [self = shared_from_this()](const Error& error, std::size_t count) {
+                            self->received(error, count);
+                          });
+}
+
+void Session::received(const Error& error, std::size_t count) {
+  reading_ = false;
+  if (error) return close();
+  if (!connection_) return;
+  connection_->receive(buffer_.data(), count);
+  if (mustCloseNow()) return close();
+  if (connection_->wantsClose()) return;  // what was sent goes out first; see written()
+  watchHalfMessage();
+  if (unsent_bytes_ <= kStopReading) read();
+}
+
+void Session::send(rpc::Bytes frame) {
+  if (overflowed_ || !socket_.is_open()) return;
+  unsent_bytes_ += frame.size();
+  unsent_.push_back(std::move(frame));
+  if (unsent_bytes_ > kGiveUp) {
+    overflowed_ = true;  // the connection is on the stack: close it from the loop
+    boost::asio::post(socket_.get_executor(), [self = shared_from_this()] { self->close(); });
+  } else if (!writing_) {
+    write();
+  }
+}
+
+void Session::write() {
+  writing_ = true;
+  boost::asio::async_write(socket_, boost::asio::buffer(unsent_.front()),
+                           [self = shared_from_this()](const Error& error, std::size_t count) {
+                             self->written(error, count);
+                           });
+}
+
+void Session::written(const Error& error, std::size_t count) {
+  writing_ = false;
+  if (error || !connection_) return close();
+  unsent_.pop_front();
+  unsent_bytes_ -= count;
+  if (!unsent_.empty()) write();
+  if (mustCloseNow()) return close();
+  if (unsent_bytes_ <= kStopReading && !connection_->wantsClose()) read();
+}
+
+bool Session::mustCloseNow() const {
+  return overflowed_ || (connection_ && connection_->wantsClose() && unsent_.empty());
+}
+
+void Session::watchHalfMessage() {
+  if (!connection_->holdsHalf()) {
+    if (std::exchange(watching_, false)) half_message_.cancel();
+    return;
+  }
+  if (std::exchange(watching_, true)) return;
+  half_message_.expires_after(kHalfMessage);
+  half_message_.async_wait([weak = weak_from_this()](const Error& error) {
+    const auto self = weak.lock();
+    if (self && !error && self->watching_) self->close();
+  });
+}
+
+void Session::close() {
+  if (!connection_) return;
+  const auto connection = std::move(connection_);
+  Error ignored;
+  socket_.close(ignored);
+  half_message_.cancel();
+  closed_(shared_from_this());
+}
+
+}  // namespace nao::daemon

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+
+#include "naoqi_api/wire/qi_connection.h"
+
+namespace nao::daemon {
+
+/// One client's socket: carries bytes to and from its QiConnection and keeps its limits. Above
+/// kStopReading unsent bytes it reads no more from that client, above kGiveUp it closes: replies
+/// and events are never dropped one by one. I/O thread.
+class Session : public std::enable_shared_from_this<Session> {
+ public:
+  static constexpr std::size_t kStopReading = 1U << 20U;
+  static constexpr std::size_t kGiveUp = 8U << 20U;
+  static constexpr std::chrono::seconds kHalfMessage{30};  // a message begun must end by then
+
+  using Closed = std::function<void(const std::shared_ptr<Session>&)>;
+
+  Session(boost::asio::ip::tcp::socket socket, rpc::ServiceHub& hub, Closed closed);
+
+  void start();
+  /// Closes the socket and ends what the client had open; `closed` is told once.
+  void close();
+
+ private:
+  using Error = boost::system::error_code;
+
+  void read();
+  void received(const Error& error, std::size_t count);
+  void send(rpc::Bytes frame);
+  void write();
+  void written(const Error& error, std::size_t count);
+  void watchHalfMessage();
+  bool mustCloseNow() const;
+
+  boost::asio::ip::tcp::socket socket_;
+  boost::asio::steady_timer half_message_;
+  Closed closed_;
+  std::unique_ptr<wire::QiConnection> connection_;
+  std::array<std::uint8_t, 65536> buffer_{};
+  std::deque<rpc::Bytes> unsent_;
+  std::size_t unsent_bytes_ = 0;
+  bool reading_ = false;
+  bool writing_ = false;
+  bool watching_ = false;
+  bool overflowed_ = false;
+};
+
+}  // namespace nao::daemon
