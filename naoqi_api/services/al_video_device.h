@@ -1,0 +1,141 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "camera/image_feed.h"
+#include "core/robot_model.h"
+#include "core/sim_time.h"
+#include "naoqi_api/service.h"
+#include "naoqi_api/services/al_video_device_parameters.h"
+
+namespace nao::services {
+
+/// NaoQi's ALVideoDevice: clients open windows on the robot's cameras and fetch pictures from
+/// them. Pictures come through an ImageFeed, drawn elsewhere; a call that asks before the first
+/// one is there ends when it comes. A window closes with the client that opened it. I/O thread.
+class AlVideoDevice {
+ public:
+  /// @param epoch NaoQi's clock at the start of the world, since 1970: stamps are epoch + time
+  AlVideoDevice(std::shared_ptr<const RobotModel> robot, std::shared_ptr<camera::ImageFeed> feed,
+                Duration epoch);
+
+  /// The service; this object must outlive it.
+  rpc::Service describe();
+
+  /// Ends the getImageRemote calls whose first picture has come. To be called whenever pictures
+  /// may have been drawn.
+  void deliverImages();
+
+  /// Most windows of one name, and in all.
+  static constexpr std::size_t kMostOfOneName = 8;
+  static constexpr std::size_t kMost = 256;
+
+ private:
+  /// How a client looks at one camera.
+  struct Window {
+    int camera = 0;
+    int resolution = 0;  // NaoQi's number
+    int frame_rate = 0;  // [1/s] as offered by the camera
+    camera::ColorSpace color_space = camera::ColorSpace::kYUV422;
+    bool follows_active = false;     // NaoQi 1.x: shows whichever camera is active
+    std::uint64_t session = 0;       // of the client; 0: none
+    std::uint64_t subscription = 0;  // in the feed
+    std::vector<rpc::Pending<rpc::Value>> waiting;
+  };
+
+  // Windows
+  std::string subscribeCamera(const rpc::Caller& caller, const std::string& name, int camera,
+                              int resolution, int color_space, int frame_rate);
+  std::string subscribe(const rpc::Caller& caller, const std::string& name, int resolution,
+                        int color_space, int frame_rate);
+  std::string open(const rpc::Caller& caller, const std::string& name,
+                   const std::optional<Window>& window);
+  bool unsubscribe(const std::string& handle);
+  void unsubscribeAllInstances(const std::string& name);
+  rpc::Value getSubscribers() const;
+  rpc::Pending<rpc::Value> getImageRemote(const std::string& handle);
+  bool releaseImage(const std::string& handle) const;
+
+  int getCamera(const std::string& handle) const;
+  int getResolution(const std::string& handle) const;
+  int getColorSpace(const std::string& handle) const;
+  int getFrameRate(const std::string& handle) const;
+  bool setCamera(const std::string& handle, int camera);
+  bool setResolution(const std::string& handle, int resolution);
+  bool setColorSpace(const std::string& handle, int color_space);
+  bool setFrameRate(const std::string& handle, int frame_rate);
+
+  // Cameras
+  int getActiveCamera() const { return active_camera_; }
+  bool setActiveCamera(int camera);
+  rpc::Value getCameraIndexes() const;
+  std::string getCameraName(int camera) const;
+  int getCameraModel(int camera) const;
+  float getHorizontalFov(int camera) const;
+  float getVerticalFov(int camera) const;
+  int getCameraResolution(int camera) const;
+  int getCameraColorSpace(int camera) const;
+  int getCameraFrameRate(int camera) const;
+  bool isCameraOn(int camera) const { return isCamera(camera); }
+  bool isCameraOff(int camera) const { return !isCamera(camera); }
+  bool turnCameraOff(int camera);
+  bool hasDepthCamera() const { return false; }
+  rpc::Value resolutionToSizes(int resolution) const;
+  int sizesToResolution(int width, int height) const;
+
+  // Parameters
+  int getParameter(int camera, int parameter) const;
+  bool setParameter(int camera, int parameter, int value);
+  bool setParameterToDefault(int camera, int parameter);
+  bool setAllParametersToDefault(int camera);
+  rpc::Value getParameterRange(int camera, int parameter) const;
+  int getCameraParameter(const std::string& handle, int parameter) const;
+  bool setCameraParameter(const std::string& handle, int parameter, int value);
+  bool setCameraParameterToDefault(const std::string& handle, int parameter);
+  bool setAllCameraParametersToDefault(const std::string& handle);
+  rpc::Value getCameraParameterRange(const std::string& handle, int parameter) const;
+  int getParam(int parameter) const;
+  void setParam(int parameter, int value);
+  void setParamOf(int parameter, int value, int camera) { setParameter(camera, parameter, value); }
+  int getParamOf(int parameter, int camera) const { return getParameter(camera, parameter); }
+  void setParamDefault(int parameter);
+
+  void describeWindows(rpc::Service& service);
+  void describeWindowSettings(rpc::Service& service);
+  void describeCameras(rpc::Service& service);
+  void describeParameters(rpc::Service& service);
+  void describeWindowParameters(rpc::Service& service);
+
+  bool isCamera(int camera) const;
+  const CameraModel& cameraOf(int camera) const;  // @throws CallError
+  Window* findWindow(const std::string& handle);
+  const Window* findWindow(const std::string& handle) const;
+  const Window& windowOf(const std::string& handle) const;  // @throws CallError
+  std::optional<Window> makeWindow(int camera, int resolution, int color_space,
+                                   int frame_rate) const;
+  std::vector<std::string> handles() const;
+  std::string freeHandle(const std::string& name) const;
+  void watch(const std::shared_ptr<rpc::Session>& session);
+  void closeWindowsOf(std::uint64_t session);
+  void startSubscription(Window& window);
+  bool turn(const std::string& handle, int camera);
+  bool replace(const std::string& handle, const std::optional<Window>& changed);
+  rpc::Value toReply(const camera::Image& image) const;
+
+  std::shared_ptr<const RobotModel> robot_;
+  std::shared_ptr<camera::ImageFeed> feed_;
+  Duration epoch_;
+  std::map<std::string, Window> windows_;     // by handle
+  std::vector<CameraParameters> parameters_;  // by camera
+  std::set<std::uint64_t> watched_sessions_;
+  int active_camera_ = 0;
+  std::shared_ptr<AlVideoDevice*> alive_ = std::make_shared<AlVideoDevice*>(this);
+};
+
+}  // namespace nao::services
