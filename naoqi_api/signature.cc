@@ -68,6 +68,7 @@ class SignatureParser {
 };
 
 std::optional<Signature> Signature::parse(std::string_view text) {
+  if (text.size() > kMaxSignature) return std::nullopt;
   Signature type;
   SignatureParser parser(text);
   if (!parser.readOne(type, 0) || !parser.atEnd()) return std::nullopt;

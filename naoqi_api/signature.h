@@ -16,6 +16,9 @@ namespace nao::rpc {
 /// The deepest nesting of a type, and of a value, that is accepted.
 constexpr int kMaxNesting = 64;
 
+/// The longest text that is accepted as a signature.
+constexpr std::size_t kMaxSignature = 64U << 10U;
+
 /// A parsed signature: one type and the types it is made of. Immutable.
 class Signature {
  public:

@@ -1,5 +1,6 @@
 #include "naoqi_api/services/service_directory.h"
 
+#include "core/check.h"
 #include "naoqi_api/service_hub.h"
 
 namespace nao::services {
@@ -66,10 +67,12 @@ class ServiceDirectory {
   Info service(const rpc::Caller& caller, const std::string& name) {
     const auto* entry = hub_.find(name);
     if (!entry) throw rpc::CallError("Cannot find service '" + name + "' in index");
+    NAO_CHECK(caller.session != nullptr);
     return {hub_.infoFor(*entry, *caller.session)};
   }
 
   std::vector<Info> services(const rpc::Caller& caller) {
+    NAO_CHECK(caller.session != nullptr);
     std::vector<Info> infos;
     for (const auto& [id, entry] : hub_.entries()) {
       if (entry.ready) infos.push_back({hub_.infoFor(entry, *caller.session)});
@@ -78,6 +81,7 @@ class ServiceDirectory {
   }
 
   std::uint32_t registerService(const rpc::Caller& caller, const Info& info) {
+    checkSize(info.info);
     return hub_.enter(info.info, caller.session);
   }
 
@@ -93,6 +97,7 @@ class ServiceDirectory {
 
   void updateServiceInfo(const rpc::Caller& caller, const Info& info) {
     checkOwner(caller, info.info.service_id, "Update Service Info: ");
+    checkSize(info.info);
     hub_.update(info.info);
   }
 
@@ -100,6 +105,14 @@ class ServiceDirectory {
 
   rpc::ObjectRef socketOfService(std::uint32_t /*id*/) {
     throw rpc::CallError("a socket can not be handed out");
+  }
+
+  static void checkSize(const ServiceInfo& info) {
+    std::size_t letters =
+        info.name.size() + info.machine_id.size() + info.session_id.size() + info.object_uid.size();
+    for (const std::string& endpoint : info.endpoints) letters += endpoint.size() + 1;
+    constexpr std::size_t kMost = 64U << 10U;
+    if (letters > kMost) throw rpc::CallError("the ServiceInfo is too large");
   }
 
   // Clients manage their own services, not each other's, and never the robot's.

@@ -16,8 +16,8 @@ Value registerEvent(const BaseContext& context, const Arguments& arguments) {
                                     ? &context.service.monitor().traceObject()
                                     : context.service.findSignal(uid);
   if (!emitter) throw CallError("No such signal");
-  std::optional<Signature> wished;
-  if (arguments.size() > 3) wished = Signature::parse(arguments[3].to<std::string>());
+  std::string wished;
+  if (arguments.size() > 3) wished = arguments[3].to<std::string>();
   const Address signal{context.address.service, context.address.object, uid};
   return context.subscriptions.add(signal, link, *emitter, std::move(wished));
 }

@@ -36,6 +36,10 @@ class Channel {
   void canceled(const Message& call);
 
   void close() { send_ = {}; }
+
+  /// Something could not be sent as it should: the connection is to be closed.
+  void fail() { failed_ = true; }
+  bool hasFailed() const { return failed_; }
   bool isOpen() const { return static_cast<bool>(send_); }
 
  private:
@@ -46,6 +50,7 @@ class Channel {
   Capabilities own_;
   Capabilities peer_;
   std::uint32_t next_id_ = 1;
+  bool failed_ = false;
 };
 
 }  // namespace nao::wire

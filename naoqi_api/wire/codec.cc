@@ -69,9 +69,15 @@ Bytes Decoder::raw(std::size_t count) {
   return Bytes(start, start + count);
 }
 
-void Decoder::spend(std::size_t& budget) {
-  if (budget == 0) failTooLarge();
-  --budget;
+void Decoder::spend(std::size_t& budget, std::size_t amount) {
+  if (budget < amount) failTooLarge();
+  budget -= amount;
+}
+
+std::string Decoder::typeText(const Signature& signature) {
+  std::string text = signature.text();
+  spend(budget_.type_letters, text.size());
+  return text;
 }
 
 Value Decoder::read(const Signature& signature) { return readAt(signature, 0); }
@@ -138,8 +144,7 @@ Value Decoder::readKind(const Signature& signature, int depth) {
 Value Decoder::readDynamic(int depth) {
   const std::string text = this->text();
   if (text.empty()) return Value::invalid();
-  if (text.size() > budget_.signature_letters) failTooLarge();
-  budget_.signature_letters -= text.size();
+  spend(budget_.signature_letters, text.size());
   const auto signature = Signature::parse(text);
   if (!signature) throw CodecError("ISerialization error: bad signature " + text.substr(0, 80));
   Value value = readAt(*signature, depth + 1);
@@ -156,33 +161,41 @@ std::size_t Decoder::count(const Signature& element) {
   return count;
 }
 
+// What is claimed is not yet there: room is made for the first items only.
+constexpr std::size_t kRoomAhead = 1024;
+
 Value Decoder::readList(const Signature& element, int depth) {
-  std::vector<Value> items(count(element));
-  for (Value& item : items) item = readAt(element, depth + 1);
-  return Value::listOf(element.text(), std::move(items));
+  std::string type = typeText(element);
+  const std::size_t size = count(element);
+  std::vector<Value> items;
+  items.reserve(std::min(size, kRoomAhead));
+  for (std::size_t i = 0; i < size; ++i) items.push_back(readAt(element, depth + 1));
+  return Value::listOf(std::move(type), std::move(items));
 }
 
 Value Decoder::readMap(const Signature& signature, int depth) {
   const Signature& key = signature.children()[0];
   const Signature& value = signature.children()[1];
-  Value::Map map{key.text(), value.text(), {}};
-  map.entries.resize(count(key));
-  for (auto& [entry_key, entry_value] : map.entries) {
-    entry_key = readAt(key, depth + 1);
-    entry_value = readAt(value, depth + 1);
+  Value::Map map{typeText(key), typeText(value), {}};
+  const std::size_t size = count(key);
+  map.entries.reserve(std::min(size, kRoomAhead));
+  for (std::size_t i = 0; i < size; ++i) {
+    Value entry_key = readAt(key, depth + 1);
+    map.entries.emplace_back(std::move(entry_key), readAt(value, depth + 1));
   }
   return map;
 }
 
 Value Decoder::readTuple(const Signature& signature, int depth) {
+  std::string type = typeText(signature);
   std::vector<Value> items;
   items.reserve(signature.children().size());
   for (const Signature& child : signature.children()) items.push_back(readAt(child, depth + 1));
-  return Value::tuple(signature.text(), std::move(items));
+  return Value::tuple(std::move(type), std::move(items));
 }
 
 Value Decoder::readOptional(const Signature& element, int depth) {
-  Value::Optional optional{element.text(), {}};
+  Value::Optional optional{typeText(element), {}};
   if (number<std::uint8_t>() != 0) optional.item.push_back(readAt(element, depth + 1));
   return optional;
 }

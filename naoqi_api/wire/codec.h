@@ -34,6 +34,7 @@ struct DecodeBudget {
   std::size_t values = 1U << 20U;             // all of them
   std::size_t empty_values = 65536;           // those that take no bytes
   std::size_t signature_letters = 1U << 20U;  // of all dynamics
+  std::size_t type_letters = 64U << 20U;      // that lists, maps and tuples keep of their type
 };
 
 /// Reads values from the bytes of one message, front to back. Everything it reads is checked
@@ -64,7 +65,8 @@ class Decoder {
   Value readOptional(const Signature& element, int depth);
   std::size_t count(const Signature& element);
   const std::uint8_t* take(std::size_t count);
-  static void spend(std::size_t& budget);
+  std::string typeText(const Signature& signature);
+  static void spend(std::size_t& budget, std::size_t amount = 1);
 
   const Bytes& bytes_;
   ObjectCodec* objects_;

@@ -12,6 +12,9 @@ namespace {
 using rpc::CallError;
 using rpc::Monitor;
 
+constexpr std::size_t kMaxWished = 4096;         // letters of a signature
+constexpr std::size_t kMaxEmitted = 64U << 10U;  // bytes of a signal that a client emits
+
 Message headerOf(const Message& message) {
   Message header;
   header.id = message.id;
@@ -86,8 +89,9 @@ Dispatcher::Request Dispatcher::readRequest(const Message& message, const std::s
   const Value arguments = decoder.read(dynamic ? "m" : parameters);
   const auto* items = arguments.findItems();
   if (!items) throw CallError("The arguments of a call are a tuple, not " + arguments.signature());
-  Request request{*items, std::nullopt};
-  if ((message.flags & kFlagReturnType) != 0) request.wished = Signature::parse(decoder.text());
+  Request request{*items, {}};
+  if ((message.flags & kFlagReturnType) != 0) request.wished = decoder.text();
+  if (request.wished.size() > kMaxWished) throw CallError("the return signature is too long");
   return request;
 }
 
@@ -155,6 +159,7 @@ rpc::Pending<Value> Dispatcher::run(const Call& call, const rpc::Method& method,
 }
 
 void Dispatcher::emit(const Message& message, const rpc::Emitter& emitter) {
+  if (message.payload.size() > kMaxEmitted) return;
   const Request request = readRequest(message, emitter.signature());
   const auto fitting = rpc::convert(Value::tuple(request.arguments),
                                     Signature::of(emitter.signature()), rpc::Bend::Declared);
@@ -172,8 +177,10 @@ void Dispatcher::answer(const Call& call, const Value& result) {
   objects_.setGiver(call.header.address.service);
   try {
     Bytes payload;
-    if (call.wished && channel_->shares("MessageFlags")) {
-      if (const auto wished = rpc::convert(result, *call.wished, rpc::Bend::Declared)) {
+    if (!call.wished.empty() && channel_->shares("MessageFlags")) {
+      const auto type = Signature::parse(call.wished);
+      const auto wished = type ? rpc::convert(result, *type, rpc::Bend::Declared) : std::nullopt;
+      if (wished) {
         encodeDynamic(payload, *wished, &objects_);
         return channel_->reply(call.header, std::move(payload), kFlagDynamic);
       }

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,14 +32,14 @@ class Dispatcher : public std::enable_shared_from_this<Dispatcher> {
  private:
   struct Request {
     std::vector<Value> arguments;
-    std::optional<Signature> wished;  // the type the client wants back
+    std::string wished;  // the signature the client wants back, or empty
   };
   /// A call under way: all that is needed to answer it.
   struct Call {
     Message header;  // without payload
     std::shared_ptr<rpc::Service> service;
     std::string returns;
-    std::optional<Signature> wished;
+    std::string wished;
   };
 
   void call(const Message& message);

@@ -32,7 +32,7 @@ class QiConnection {
   void receive(const std::uint8_t* bytes, std::size_t count);
 
   /// True once the client broke the protocol: close after what was sent.
-  bool wantsClose() const { return wants_close_; }
+  bool wantsClose() const { return wants_close_ || channel_->hasFailed(); }
 
   /// True while a message has begun and not ended: close when that lasts (30 s).
   bool holdsHalf() const { return reader_.holdsHalf(); }

@@ -4,9 +4,15 @@
 #include "naoqi_api/call_error.h"
 
 namespace nao::wire {
+namespace {
+
+constexpr std::size_t kMaxWished = 1024;  // letters of a signature
+
+}  // namespace
 
 std::uint64_t Subscriptions::add(const Address& signal, std::uint64_t link,
-                                 const rpc::Emitter& emitter, std::optional<Signature> wished) {
+                                 const rpc::Emitter& emitter, std::string wished) {
+  if (wished.size() > kMaxWished) throw rpc::CallError("the signature is too long");
   if (all_.size() >= kMost) throw rpc::CallError("too many subscriptions on one connection");
   const std::uint64_t number = (std::uint64_t{signal.action} << 32U) | next_++;
   const auto added =
@@ -50,26 +56,31 @@ void Subscriptions::clear() {
 void Subscriptions::send(std::uint64_t number, const std::vector<Value>& arguments) {
   const auto found = all_.find(number);
   if (found == all_.end()) return;
-  const Subscription& known = found->second;
-  const Value tuple = Value::tuple(arguments);
   Message event;
   event.type = MessageType::Event;
-  event.address = known.signal;
-  objects_.setGiver(known.signal.service);
-  if (known.wished && channel_->shares("MessageFlags")) {
-    const auto wished = rpc::convert(tuple, *known.wished, rpc::Bend::Declared);
-    if (wished) {
-      event.flags = kFlagDynamic;
-      encodeDynamic(event.payload, *wished, &objects_);
-    }
-  }
-  if (event.flags == 0) {
-    const Signature declared = Signature::of(known.emitter.signature());
-    const auto fitting = rpc::convert(tuple, declared, rpc::Bend::Declared);
-    NAO_CHECK(fitting.has_value());  // a service emits what it declared
-    encode(event.payload, *fitting, declared, &objects_);
+  event.address = found->second.signal;
+  objects_.setGiver(event.address.service);
+  try {
+    write(event, found->second, Value::tuple(arguments));
+  } catch (const CodecError&) {
+    return channel_->fail();  // events are never dropped silently
   }
   channel_->sendNew(std::move(event));
+}
+
+void Subscriptions::write(Message& event, const Subscription& known, const Value& arguments) {
+  if (!known.wished.empty() && channel_->shares("MessageFlags")) {
+    const auto type = Signature::parse(known.wished);
+    const auto wished = type ? rpc::convert(arguments, *type, rpc::Bend::Declared) : std::nullopt;
+    if (wished) {
+      event.flags = kFlagDynamic;
+      return encodeDynamic(event.payload, *wished, &objects_);
+    }
+  }
+  const Signature declared = Signature::of(known.emitter.signature());
+  const auto fitting = rpc::convert(arguments, declared, rpc::Bend::Declared);
+  NAO_CHECK(fitting.has_value());  // a service emits what it declared
+  encode(event.payload, *fitting, declared, &objects_);
 }
 
 }  // namespace nao::wire

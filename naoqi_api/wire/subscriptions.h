@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <optional>
+#include <string>
 #include <utility>
 
 #include "naoqi_api/signal.h"
@@ -24,10 +24,10 @@ class Subscriptions {
   Subscriptions& operator=(const Subscriptions&) = delete;
   ~Subscriptions() { clear(); }
 
-  /// `signal` is where it comes from, `link` the client's own number for it, `wished` the types it
-  /// wants. Returns our number. @throws rpc::CallError if there are too many.
+  /// `signal` is where it comes from, `link` the client's own number for it, `wished` the signature
+  /// it wants, or empty. Returns our number. @throws rpc::CallError if there are too many.
   std::uint64_t add(const Address& signal, std::uint64_t link, const rpc::Emitter& emitter,
-                    std::optional<Signature> wished);
+                    std::string wished);
 
   /// False if there is no such subscription.
   bool remove(const Address& signal, std::uint64_t link);
@@ -42,11 +42,12 @@ class Subscriptions {
     std::uint64_t link = 0;
     rpc::Emitter emitter;
     std::uint64_t emitter_link = 0;
-    std::optional<Signature> wished;
+    std::string wished;
   };
   using All = std::map<std::uint64_t, Subscription>;
 
   void send(std::uint64_t number, const std::vector<Value>& arguments);
+  void write(Message& event, const Subscription& known, const Value& arguments);
   All::iterator drop(All::iterator subscription);
 
   std::shared_ptr<Channel> channel_;
