@@ -1,0 +1,30 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "core/robot_model.h"
+#include "naoqi_api/memory/device_keys.h"
+
+// Which keys a robot's devices have, and what they show. Names and units: NAOqi 2.1.4.13
+// documentation, actuator_sensor_names.html; the short inertial names are those of NAOqi 1.x.
+namespace nao::memory {
+
+using Views = std::map<std::string, View>;
+
+/// Angles [rad], currents [A], temperatures [deg C] and stiffness of every motor.
+void addJointViews(const RobotModel& model, Views& views);
+
+/// ALMotion's own keys, Motion/<what>/<Sensor|Command>/<joint>, and whether it is awake or fell.
+void addMotionViews(const RobotModel& model, Views& views);
+
+/// Accelerometer [m/s^2], gyroscope [rad/s] and the torso's angles [rad], by old and new names.
+void addInertialViews(Views& views);
+
+/// Force sensors [kg], centres of pressure [m], bumpers and contact of the feet.
+void addFootViews(const RobotModel& model, Views& views);
+
+/// Sonar [m], battery, chest button, head.
+void addBoardViews(const RobotModel& model, Views& views);
+
+}  // namespace nao::memory
