@@ -42,6 +42,8 @@ class Raster {
     inverse_depths_.assign(count, 0.0f);
   }
 
+  void fill(Pixel color) { std::fill(colors_.begin(), colors_.end(), color); }
+
   ImageSize size() const { return size_; }
   Pixel* colors(int row) { return colors_.data() + offset(row); }
   const Pixel* colors(int row) const { return colors_.data() + offset(row); }

@@ -14,6 +14,9 @@ namespace {
 /// A camera looks out of its own body: parts of its robot this near [m] do not stand in its way.
 constexpr double kOwnClearance = 0.01;
 
+/// False for the poses of a simulation that has blown up: not a number, or a thousand km away.
+bool isPlausible(const Pose& pose) { return (pose.matrix().array().abs() < 1e6).all(); }
+
 /// Whether a sphere may show on the picture: it is beyond the near plane and not beside one of
 /// the four side planes of the picture.
 bool mayShow(const Vec3& p_C, double radius, const Pinhole& lens) {
@@ -63,8 +66,12 @@ const Raster& Renderer::render(const SceneFrame& scene, const View& view) {
 const Raster& Renderer::renderFor(const SceneFrame& scene, const View& view,
                                   std::optional<CameraPlace> own) {
   NAO_CHECK(scene.world != nullptr);
-  const GroundForms ground(view);
   raster_.reset(view.lens.size);
+  if (!isPlausible(view.X_WC)) {
+    raster_.fill(toPixel(scene.world->sky_color));
+    return raster_;
+  }
+  const GroundForms ground(view);
   paintGround(*scene.world, ground, raster_);
   collectItems(scene, view, own);
   sortItems();

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "camera/color_conversion.h"
+#include "core/random.h"
 #include "tests/camera/scenes.h"
 
 namespace nao::camera {
@@ -276,6 +277,56 @@ TEST(Renderer, PicturesDoNotDependOnTheOrderOfThingsNorOnThePictureBefore) {
   std::reverse(scene.balls.begin(), scene.balls.end());
   std::reverse(worldOf(scene).obstacles.begin(), worldOf(scene).obstacles.end());
   EXPECT_TRUE(first == toBytes(renderer.render(scene, view), ColorSpace::kRGB));
+}
+
+/// An eye anywhere: upright, rolled over, under the carpet, inside a robot.
+View randomView(Random& random) {
+  View view = viewFrom(
+      Vec3(random.uniform(-4, 4), random.uniform(-3, 3), random.uniform(-0.3, 1.5)), 0, {80, 60});
+  Eigen::Quaterniond q(random.normal(), random.normal(), random.normal(), random.normal());
+  view.X_WC.linear() = q.normalized().toRotationMatrix();
+  return view;
+}
+
+TEST(Renderer, FromAnywhereEveryPixelIsPaintedAnew) {
+  SceneFrame scene = fieldScene();
+  scene.robots.push_back(simpleRobot("a", translation({0.5, 0, 0.32})));
+  Random random(1, "views");
+  Renderer used;
+  for (int i = 0; i < 300; ++i) {
+    const View view = randomView(random);
+    Renderer fresh;
+    const Bytes expected = toBytes(fresh.render(scene, view), ColorSpace::kRGB);
+    ASSERT_TRUE(expected == toBytes(used.render(scene, view), ColorSpace::kRGB)) << i;
+  }
+}
+
+TEST(Renderer, AWorldThatBlewUpStillGivesAPicture) {
+  for (const double lost : {std::nan(""), HUGE_VAL, 1e200, -1e7}) {
+    SceneFrame scene = fieldScene();
+    scene.robots.push_back(simpleRobot("a", translation({lost, 0, 0.32})));
+    scene.robots.push_back(simpleRobot("b", translation({0, lost, lost})));
+    scene.balls[0].p_W.x() = lost;
+    Renderer renderer;
+    EXPECT_TRUE(
+        isColor(renderer.render(scene, {0, 0}, {80, 60}).colors(30)[40], scene.world->sky_color));
+    const Raster& from_outside = renderer.render(scene, viewFrom({-2, 0, 0.5}, 0.3, {80, 60}));
+    EXPECT_TRUE(isColor(from_outside.colors(59)[40], scene.world->ground_color));
+  }
+}
+
+// The poses are exact fractions, so that not even a sine can differ between machines. A change of
+// the picture that is meant changes this number.
+TEST(Renderer, TheSamePixelsOnEveryMachine) {
+  SceneFrame scene = fieldScene();
+  scene.robots.push_back(simpleRobot("a", translation({2, -0.5, 0.32})));
+  View view = viewFrom({-0.5, 0, 0.5}, 0);
+  view.X_WC.linear() << 0.96, 0, 0.28, 0, 1, 0, -0.28, 0, 0.96;
+  Renderer renderer;
+  Image image;
+  image.bytes =
+      std::make_shared<const Bytes>(toBytes(renderer.render(scene, view), ColorSpace::kRGB));
+  EXPECT_EQ(image.hash(), 8362377464560123763u);
 }
 
 TEST(Renderer, TheOwnHeadDoesNotStandInTheWay) {
