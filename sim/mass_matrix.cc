@@ -91,6 +91,22 @@ void MassMatrix::addRoot(TreeMatrix& matrix, const SpatialInertia& c) const {
   }
 }
 
+// The weight of the subtree behind each hinge, and its moment about the root's origin.
+void MassMatrix::addWeight(double gravity, Eigen::VectorXd& bias) const {
+  for (std::size_t i = 0; i < composites_.size(); ++i) {
+    const SpatialInertia& c = composites_[i];
+    const Vec3 lift(0, 0, gravity * c.mass);
+    const Vec3 moment = gravity * c.moment.cross(Vec3::UnitZ());
+    if (i > 0) {
+      bias[leafOf(static_cast<int>(i))] +=
+          axes_W_[i].dot(moment) + arms_W_[i].cross(axes_W_[i]).dot(lift);
+    } else if (root_speeds_ > 0) {
+      bias.head<3>() += moment;
+      bias.segment<3>(3) += lift;
+    }
+  }
+}
+
 void MassMatrix::calcPointJacobian(int body, const Vec3& p_W, PointJacobian& jacobian) const {
   const Vec3 arm = p_W - (*motion_)[0].p_WB;
   int count = 0;

@@ -24,6 +24,9 @@ class MassMatrix {
   /// Writes M into `matrix`, whose tree must be parents().
   void calc(TreeMatrix& matrix) const;
 
+  /// Adds to `bias` what holds every body up against `gravity` [m/s^2] along -z. After calc().
+  void addWeight(double gravity, Eigen::VectorXd& bias) const;
+
   /// The speed that moves `body` last: of its own hinge, or of the root.
   int leafOf(int body) const { return body == 0 ? root_speeds_ - 1 : root_speeds_ + body - 1; }
 

@@ -39,7 +39,9 @@ SimTK::Rotation hingeFrame(const Vec3& axis) {
 class Multibody::Impl {
  public:
   Impl(const RobotModel& model, double gravity)
-      : fixed_base_(model.fixed_base), weights_(static_cast<int>(model.bodies.size()) + 1) {
+      : model_(model),
+        fixed_base_(model.fixed_base),
+        weights_(static_cast<int>(model.bodies.size()) + 1) {
     for (const Body& body : model.bodies) {
       add(body);
       coms_.push_back(toSimTK(body.p_BoBcm));
@@ -48,29 +50,46 @@ class Multibody::Impl {
     state_ = system_.realizeTopology();
     system_.realizeModel(state_);
     gravity_forces_.resize(matter_.getNumBodies());
+    no_forces_.resize(matter_.getNumBodies());
+    no_forces_ = SimTK::SpatialVec(SimTK::Vec3(0));
     zero_mobility_.resize(matter_.getNumMobilities());
     zero_mobility_ = 0;
     zero_acceleration_ = zero_mobility_;
   }
 
   void set(const TreeState& state) {
-    for (int i = 0; i < state_.getNQ(); ++i) state_.updQ()[i] = state.q[i];
-    for (int i = 0; i < state_.getNU(); ++i) state_.updU()[i] = state.u[i];
+    SimTK::Vector& q = state_.updQ();  // once: each upd...() invalidates what was computed
+    for (int i = 0; i < q.size(); ++i) q[i] = state.q[i];
+    SimTK::Vector& u = state_.updU();
+    for (int i = 0; i < u.size(); ++i) u[i] = state.u[i];
     system_.realize(state_, SimTK::Stage::Velocity);
   }
 
+  // Poses are Simbody's. Velocities follow from them and u: asking for each costs a look-up.
   void calcMotion(std::vector<BodyMotion>& motion) const {
     motion.resize(bodies_.size());
+    const SimTK::Vector& u = state_.getU();
+    const int root_speeds = fixed_base_ ? 0 : 6;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       const SimTK::Transform& X_GB = bodies_[i].getBodyTransform(state_);
-      const SimTK::SpatialVec& V_GB = bodies_[i].getBodyVelocity(state_);
-      motion[i] = {toEigen(X_GB.R()), toEigen(X_GB.p()), toEigen(V_GB[0]), toEigen(V_GB[1])};
+      BodyMotion& body = motion[i];
+      body.R_WB = toEigen(X_GB.R());
+      body.p_WB = toEigen(X_GB.p());
+      if (i == 0) {
+        if (fixed_base_) continue;
+        body.w_WB = Vec3(u[0], u[1], u[2]);
+        body.v_WB = Vec3(u[3], u[4], u[5]);
+        continue;
+      }
+      const BodyMotion& parent = motion[static_cast<std::size_t>(model_.bodies[i].parent)];
+      const double rate = u[root_speeds + static_cast<int>(i) - 1];
+      body.w_WB = parent.w_WB + rate * (body.R_WB * model_.bodies[i].axis);
+      body.v_WB = parent.v_WB + parent.w_WB.cross(body.p_WB - parent.p_WB);
     }
   }
 
-  void calcBias(Eigen::VectorXd& bias) {
-    calcGravity();
-    matter_.calcResidualForceIgnoringConstraints(state_, zero_mobility_, gravity_forces_,
+  void calcVelocityBias(Eigen::VectorXd& bias) {
+    matter_.calcResidualForceIgnoringConstraints(state_, zero_mobility_, no_forces_,
                                                  zero_acceleration_, residual_);
     bias.resize(residual_.size());
     for (int i = 0; i < residual_.size(); ++i) bias[i] = residual_[i];
@@ -128,6 +147,7 @@ class Multibody::Impl {
     }
   }
 
+  const RobotModel& model_;
   SimTK::MultibodySystem system_;
   SimTK::SimbodyMatterSubsystem matter_{system_};
   std::vector<SimTK::MobilizedBody> bodies_;  // by body of the model
@@ -135,7 +155,7 @@ class Multibody::Impl {
   SimTK::State state_;
   std::vector<SimTK::Vec3> coms_;
   SimTK::Vector weights_;  // [N] by mobilized body
-  SimTK::Vector_<SimTK::SpatialVec> gravity_forces_;
+  SimTK::Vector_<SimTK::SpatialVec> gravity_forces_, no_forces_;
   SimTK::Vector zero_mobility_, zero_acceleration_, residual_;
 };
 
@@ -156,7 +176,7 @@ TreeState Multibody::zeroState() const {
 
 void Multibody::setState(const TreeState& state) { impl_->set(state); }
 void Multibody::calcMotion(std::vector<BodyMotion>& motion) const { impl_->calcMotion(motion); }
-void Multibody::calcBias(Eigen::VectorXd& bias) const { impl_->calcBias(bias); }
+void Multibody::calcVelocityBias(Eigen::VectorXd& bias) const { impl_->calcVelocityBias(bias); }
 Eigen::VectorXd Multibody::calcAcceleration(const Eigen::VectorXd& f) const {
   return impl_->calcAcceleration(f);
 }

@@ -49,10 +49,11 @@ class Multibody {
   /// Poses and velocities of all bodies at the state set last.
   void calcMotion(std::vector<BodyMotion>& motion) const;
 
-  /// The generalized forces [N m, N] that would keep u constant, gravity included: M u' + bias = f.
-  void calcBias(Eigen::VectorXd& bias) const;
+  /// The generalized forces [N m, N] that would keep u constant without gravity.
+  void calcVelocityBias(Eigen::VectorXd& bias) const;
 
-  /// Simbody's own answer: u' for the generalized forces `f`, by articulated bodies. Slow; oracle.
+  /// Simbody's own answer: u' under gravity and the generalized forces `f`, by articulated bodies.
+  /// Slow; oracle.
   Eigen::VectorXd calcAcceleration(const Eigen::VectorXd& f) const;
 
   /// Simbody's own mass matrix. Slow; oracle.

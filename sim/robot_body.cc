@@ -20,6 +20,7 @@ Eigen::Vector4d rotated(const Eigen::Vector4d& wxyz, const Vec3& w_W, double h) 
 
 RobotBody::RobotBody(std::shared_ptr<const RobotModel> model, const WorldModel& world)
     : model_(std::move(model)),
+      gravity_(world.gravity),
       multibody_(*model_, world.gravity),
       mass_(*model_),
       drive_(*model_, multibody_.rootSpeedCount()),
@@ -85,8 +86,9 @@ bool RobotBody::finite() const { return state_.tree.q.allFinite() && state_.tree
 
 void RobotBody::step(const JointCommand& command, const std::vector<ExternalForce>& external,
                      double h) {
-  multibody_.calcBias(bias_);
+  multibody_.calcVelocityBias(bias_);
   mass_.calc(inertia_);
+  mass_.addWeight(gravity_, bias_);
   inertia_.addDiagonal(drive_.rotorInertia());
   drive_.prepare(command, coordinates(), rates(), h);
   stops_.prepare(coordinates(), rates(), h);

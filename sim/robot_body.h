@@ -75,6 +75,7 @@ class RobotBody {
   static constexpr int kMaxSolves = 6;
 
   std::shared_ptr<const RobotModel> model_;
+  double gravity_;  // [m/s^2]
   Multibody multibody_;
   MassMatrix mass_;
   Drive drive_;

@@ -16,6 +16,9 @@ class TreeMatrix {
 
   int size() const { return static_cast<int>(parent_.size()); }
   int parent(int i) const { return parent_[static_cast<std::size_t>(i)]; }
+  /// i itself, its parent, and so on up to the root; depth(i) entries.
+  const int* chain(int i) const { return chains_.data() + i * size(); }
+  int depth(int i) const { return depth_[static_cast<std::size_t>(i)]; }
 
   /// The lower triangle: at(i, j) with j an ancestor of i, or i itself.
   double& at(int i, int j) { return values_[static_cast<std::size_t>(i * size() + j)]; }
@@ -35,7 +38,12 @@ class TreeMatrix {
   void solve(Eigen::VectorXd& x) const;
 
  private:
+  double* row(int i) { return values_.data() + i * size(); }
+  const double* row(int i) const { return values_.data() + i * size(); }
+
   std::vector<int> parent_;
+  std::vector<int> depth_;
+  std::vector<int> chains_;  // rows of size() entries
   std::vector<double> values_;
 };
 

@@ -45,6 +45,30 @@ TEST_P(NaoDynamics, MassMatrixIsSimbodys) {
   }
 }
 
+TEST_P(NaoDynamics, BodyVelocitiesAreTheirPosesRatesOfChange) {
+  const auto model = test::robot(GetParam());
+  Multibody multibody(*model, 9.80665);
+  Random random(4);
+  TreeState state = randomState(multibody, random);
+  std::vector<BodyMotion> now, later;
+  multibody.setState(state);
+  multibody.calcMotion(now);
+  constexpr double kStep = 1e-7;  // the error of the difference is about kStep * a / 2, a ~ 100
+  const Eigen::Vector4d q = state.q.head<4>();
+  const Vec3 w = state.u.head<3>();
+  state.q.head<4>() +=
+      kStep / 2 * Eigen::Vector4d(-w.dot(q.tail<3>()), 0, 0, 0) +
+      kStep / 2 * (Eigen::Vector4d() << 0, q[0] * w + w.cross(Vec3(q.tail<3>()))).finished();
+  state.q.tail(state.q.size() - 4) += kStep * state.u.tail(state.u.size() - 3);
+  multibody.setState(state);
+  multibody.calcMotion(later);
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    EXPECT_LT(((later[i].p_WB - now[i].p_WB) / kStep - now[i].v_WB).norm(), 1e-4);
+    const Mat3 rate = (later[i].R_WB - now[i].R_WB) / kStep * now[i].R_WB.transpose();
+    EXPECT_LT((Vec3(rate(2, 1), rate(0, 2), rate(1, 0)) - now[i].w_WB).norm(), 1e-4);
+  }
+}
+
 TEST_P(NaoDynamics, FreeAccelerationIsSimbodys) {
   auto model = std::make_shared<RobotModel>(*test::robot(GetParam()));
   for (Actuator& actuator : model->actuators) {  // bare tree: no rotors, no motors, no ties
