@@ -7,10 +7,30 @@
 namespace nao::rpc {
 namespace {
 
-bool fits(const Method& method, const std::vector<Value>& arguments) {
-  return convert(Value::tuple(arguments), Signature::of(method.parameters_signature),
-                 Bend::Declared)
-      .has_value();
+bool isOneOf(char kind, std::string_view kinds) { return kinds.find(kind) != kinds.npos; }
+
+// How far `given` is from a parameter of that type: the order libqi's scores give.
+int distance(const Value& given, const Signature& parameter) {
+  const std::string signature = given.bare().signature();
+  const char from = signature.empty() ? 'v' : signature.front();
+  const char to = parameter.kind();
+  if (from == to) return 0;
+  if (isOneOf(from, "cCwWiIlL") && isOneOf(to, "cCwWiIlL")) return 1;
+  if (isOneOf(from, "fd") && isOneOf(to, "fd")) return 1;
+  if (isOneOf(to, "fd")) return 2;
+  if (isOneOf(from, "fd")) return 3;
+  return to == 'b' ? 4 : 5;
+}
+
+// The sum over all arguments, or nothing if they can not be converted.
+std::optional<int> distance(const Method& method, const std::vector<Value>& arguments) {
+  const Signature parameters = Signature::of(method.parameters_signature);
+  if (!convert(Value::tuple(arguments), parameters, Bend::Declared)) return std::nullopt;
+  int sum = 0;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    sum += distance(arguments[i], parameters.children()[i]);
+  }
+  return sum;
 }
 
 }  // namespace
@@ -125,14 +145,18 @@ const PropertyMember* Service::findProperty(std::string_view name) const {
 
 const Method* Service::findMethod(std::string_view name,
                                   const std::vector<Value>& arguments) const {
-  const Method* candidate = nullptr;
+  const Method* best = nullptr;
+  std::optional<int> least;
   for (const auto& [uid, method] : methods_) {
     const std::size_t count = Signature::of(method.parameters_signature).children().size();
     if (method.name != name || count != arguments.size()) continue;
-    if (fits(method, arguments)) return &method;
-    if (!candidate) candidate = &method;
+    const auto away = distance(method, arguments);
+    if (!best || (away && (!least || *away < *least))) {
+      best = &method;
+      least = away;
+    }
   }
-  return candidate;
+  return best;
 }
 
 Pending<Value> Service::call(std::string_view name, const std::vector<Value>& arguments,

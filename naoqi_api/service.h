@@ -112,7 +112,7 @@ class Service {
   const std::map<std::uint32_t, PropertyMember>& properties() const { return properties_; }
 
   const Method* findMethod(std::uint32_t uid) const;
-  /// The overload with as many arguments that takes these, else the first with as many.
+  /// The overload with as many arguments that fits these best, else the first with as many.
   const Method* findMethod(std::string_view name, const std::vector<Value>& arguments) const;
   const Emitter* findSignal(std::uint32_t uid) const;  // of a signal or a property
   const PropertyMember* findProperty(std::uint32_t uid) const;
