@@ -10,13 +10,11 @@ const Vec3 kGravity(0, 0, -9.80665);  // [m/s^2] in O
 
 }  // namespace
 
-ServoLead::ServoLead(std::shared_ptr<const RobotModel> model, double speed_part, double torque_part)
+ServoLead::ServoLead(std::shared_ptr<const RobotModel> model)
     : model_(std::move(model)),
       half_cycle_(0.5 * toSeconds(model_->cycle)),
       torque_(model_->jointCount(), 0.0),
-      last_(model_->jointCount(), 0.0),
-      a_(speed_part),
-      b_(torque_part) {
+      last_(model_->jointCount(), 0.0) {
   for (std::size_t i = 0; i < 2; ++i) {
     for (int body = model_->feet[i].body; body > 0;
          body = model_->bodies[static_cast<std::size_t>(body)].parent) {
@@ -54,7 +52,7 @@ void ServoLead::apply(const motion::Kinematics& body, const Pose& X_OT,
       const double way = moving_ ? planned[link.joint] - last_[link.joint] : 0;  // [rad] a cycle
       const double speed = way / (2 * half_cycle_);
       const double lead =
-          a_ * speed * (motor.kd / motor.kp + half_cycle_) + b_ * torque_[link.joint] / motor.kp;
+          speed * (motor.kd / motor.kp + half_cycle_) + torque_[link.joint] / motor.kp;
       angle[link.joint] = std::clamp(planned[link.joint] + lead, motor.lower, motor.upper);
     }
   }

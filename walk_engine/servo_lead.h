@@ -24,7 +24,7 @@ struct FootLoad {
 /// below each hinge; the links' own accelerations are left out.
 class ServoLead {
  public:
-  explicit ServoLead(std::shared_ptr<const RobotModel> model, double a, double b);
+  explicit ServoLead(std::shared_ptr<const RobotModel> model);
 
   /// Forgets the last planned angles: the next call sees no motion.
   void reset() { moving_ = false; }
@@ -48,7 +48,6 @@ class ServoLead {
   double half_cycle_;                      // [s]
   JointArray<double> torque_;              // [N m]
   JointArray<double> last_;                // [rad] planned one cycle ago
-  double a_, b_;
   bool moving_ = false;
 };
 

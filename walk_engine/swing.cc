@@ -4,19 +4,6 @@
 #include <cmath>
 
 namespace nao::walk {
-namespace {
-
-// From 0 to 1, at rest at both ends. The cosine has the smaller peak of acceleration (4.9 against
-// 5.8), the minimum jerk none at the ends; `blend` is the part of the latter.
-double easeInOut(double s, double blend) {
-  s = std::clamp(s, 0.0, 1.0);
-  const double cosine = 0.5 * (1 - std::cos(M_PI * s));
-  const double jerk = s * s * s * (10 + s * (6 * s - 15));
-  return cosine + blend * (jerk - cosine);
-}
-
-}  // namespace
-
 Pose onFloor(const Pose2& place) {
   Pose pose = translation(Vec3(place.x, place.y, 0));
   pose.linear() = rotationFromRpy(0, 0, place.theta);
@@ -24,8 +11,8 @@ Pose onFloor(const Pose2& place) {
 }
 
 double calcSwingPart(double progress, const Tuning& tuning) {
-  const double moving = 1 - tuning.swing_lead - tuning.swing_settle;
-  return easeInOut((progress - tuning.swing_lead) / moving, tuning.swing_ease);
+  const double s = std::clamp(progress / (1 - tuning.swing_settle), 0.0, 1.0);
+  return 0.5 * (1 - std::cos(M_PI * s));
 }
 
 Pose calcSwing(const Pose2& from, const Pose2& to, double progress, double height,

@@ -21,8 +21,8 @@ using motion::Velocity2;
 constexpr double kGravity = 9.80665;  // [m/s^2]
 constexpr double kMinRise = 0.1;      // [s] into the walking pose, at least
 constexpr double kRiseSpeed = 0.35;   // of a joint's top speed, on average at most
+constexpr double kOverlap = 0.4;      // [s] the rise may still take when the weight begins to move
 constexpr double kAtRest = 0.002;     // [m/s] of the centre of mass
-constexpr double kSmallAngle = 1e-4;  // [rad] a walking pose already taken
 
 // Arms where they hang while standing, for the height of the centre of mass.
 JointArray<double> standingAngles(const RobotModel& model) {
@@ -32,12 +32,12 @@ JointArray<double> standingAngles(const RobotModel& model) {
 
 double minimumJerk(double s) { return s * s * s * (10 + s * (6 * s - 15)); }
 
-/// The legs' way into the walking pose, in joint space.
+/// The legs' way into the walking pose: what they were away from it fades.
 struct Rise {
-  JointArray<double> from;  // [rad]
-  JointArray<double> to;
+  JointArray<double> offset;  // [rad] at the start
   int ticks = 0;
   int done = 0;
+  int left() const { return ticks - done; }
 };
 
 class ZmpGait final : public motion::Gait {
@@ -61,7 +61,8 @@ class ZmpGait final : public motion::Gait {
 
   void pursue(const Goal& goal);
   void begin(const JointCommand& command);
-  void rise(JointCommand& command);
+  void planRise(const JointArray<double>& now, const JointArray<double>& walking);
+  void rise(JointArray<double>& angle);
   void walk(JointCommand& command);
   StanceDemand calcDemand() const;
   void pose(JointArray<double>& angle);
@@ -98,7 +99,7 @@ ZmpGait::ZmpGait(std::shared_ptr<const RobotModel> model, const Tuning& tuning)
       tuning_(tuning),
       dt_(toSeconds(model_->cycle)),
       stance_(model_),
-      servo_lead_(model_, tuning.lead_speed, tuning.lead_torque),
+      servo_lead_(model_),
       total_mass_(model_->totalMass()),
       com_height_(
           stance_.calcComHeight(tuning.knee_bend, tuning.torso_pitch, standingAngles(*model_))),
@@ -131,7 +132,7 @@ void ZmpGait::walkAt(const Velocity2& velocity, const GaitConfig& config) {
 }
 
 void ZmpGait::stop() {
-  if (phase_ != Phase::Walking) return kill();
+  if (phase_ == Phase::Idle || phase_ == Phase::Requested) return kill();
   Goal goal;
   goal.config = goal_.config;
   pursue(goal);
@@ -148,8 +149,7 @@ void ZmpGait::pursue(const Goal& goal) {
 void ZmpGait::update(const SensorFrame& measured, JointCommand& command) {
   now_ = measured.time;
   if (phase_ == Phase::Requested) begin(command);
-  if (phase_ == Phase::Rising) return rise(command);
-  if (phase_ == Phase::Walking) walk(command);
+  if (phase_ != Phase::Idle) walk(command);
 }
 
 // The feet stay where the commanded angles have them; the legs will move into the pose that holds
@@ -167,48 +167,49 @@ void ZmpGait::begin(const JointCommand& command) {
   const Eigen::Vector2d zmp = plan_.calcZmp(tick_);
   com_x_ = {zmp.x(), 0, 0, 0};
   com_y_ = {zmp.y(), 0, 0, 0};
-  rise_.from = rise_.to = command.angle;
   servo_lead_.reset();
-  pose(rise_.to);
-  double seconds = 0;
-  double way = 0;  // [rad]
-  for (std::size_t i = 0; i < model_->jointCount(); ++i) {
-    const double turn = std::abs(rise_.to[i] - rise_.from[i]);
-    const double speed = kRiseSpeed * model_->actuators[i].max_velocity;
-    if (speed > 0) seconds = std::max(seconds, turn / speed);
-    way = std::max(way, turn);
-  }
-  rise_.done = 0;
-  rise_.ticks = way < kSmallAngle ? 0 : static_cast<int>(std::max(kMinRise, seconds) / dt_) + 1;
+  JointArray<double> walking = command.angle;
+  pose(walking);
+  planRise(command.angle, walking);
   for (std::size_t i = 0; i < 2; ++i) {
     if (shoulder_[i]) shoulder_rest_[i] = command.angle[*shoulder_[i]];
   }
   phase_ = Phase::Rising;
 }
 
-void ZmpGait::rise(JointCommand& command) {
-  ++tick_;
-  ++rise_.done;
-  const double s = rise_.ticks == 0 ? 1 : static_cast<double>(rise_.done) / rise_.ticks;
-  const double part = minimumJerk(std::min(1.0, s));
-  for (std::size_t i = 0; i < model_->jointCount(); ++i) {
-    if (rise_.to[i] == rise_.from[i]) continue;
-    command.angle[i] = rise_.from[i] + part * (rise_.to[i] - rise_.from[i]);
+void ZmpGait::planRise(const JointArray<double>& now, const JointArray<double>& walking) {
+  double seconds = kMinRise;
+  rise_.offset = now;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    rise_.offset[i] -= walking[i];
+    const double speed = kRiseSpeed * model_->actuators[i].max_velocity;
+    if (speed > 0) seconds = std::max(seconds, std::abs(rise_.offset[i]) / speed);
   }
-  if (rise_.done < rise_.ticks) return;
-  phase_ = Phase::Walking;
-  plan_.follow(goal_, tick_);
+  rise_.done = 0;
+  rise_.ticks = static_cast<int>(std::lround(seconds / dt_));
+}
+
+void ZmpGait::rise(JointArray<double>& angle) {
+  if (rise_.left() == 0) return;
+  ++rise_.done;
+  const double rest = 1 - minimumJerk(static_cast<double>(rise_.done) / rise_.ticks);
+  for (std::size_t i = 0; i < angle.size(); ++i) angle[i] += rest * rise_.offset[i];
 }
 
 void ZmpGait::walk(JointCommand& command) {
   ++tick_;
+  if (phase_ == Phase::Rising && rise_.left() * dt_ <= kOverlap) {
+    phase_ = Phase::Walking;
+    plan_.follow(goal_, tick_);
+  }
   plan_.advance(tick_, tick_ + preview_.samples() + 1);
   moveCom();
   swingArms(command);
   pose(command.angle);
+  rise(command.angle);
   position_ = robotPlace({placeOf(Foot::Left), placeOf(Foot::Right)});
   const bool calm = std::hypot(com_x_.velocity, com_y_.velocity) < kAtRest;
-  if (plan_.atRest(tick_) && calm) phase_ = Phase::Idle;
+  if (plan_.atRest(tick_) && calm && rise_.left() == 0) phase_ = Phase::Idle;
 }
 
 // Of the swinging sole along the floor [m/s^2].
@@ -255,8 +256,7 @@ StanceDemand ZmpGait::calcDemand() const {
 // Leg commands for the present demand.
 void ZmpGait::pose(JointArray<double>& angle) {
   stance_.solve(calcDemand(), angle);
-  if (tuning_.servo_lead > 0)
-    servo_lead_.apply(stance_.body(), stance_.torso(), calcLoads(), angle);
+  servo_lead_.apply(stance_.body(), stance_.torso(), calcLoads(), angle);
 }
 
 // The ground carries weight and acceleration at the zero moment point, each foot its part.
