@@ -15,7 +15,8 @@ namespace nao::motion {
 
 class MotionEngine::Impl {
  public:
-  Impl(std::shared_ptr<const RobotModel> model, std::unique_ptr<Gait> gait);
+  Impl(std::shared_ptr<const RobotModel> model, std::unique_ptr<Gait> gait,
+       RequestId last_accepted);
 
   void accept(const MotionRequest& request);
   JointCommand update(const SensorFrame& measured);
@@ -58,17 +59,19 @@ class MotionEngine::Impl {
   Walking walking_;
   FallDetector fall_;
   SimTime time_{};
-  RequestId last_accepted_ = 0;
+  RequestId last_accepted_;
   std::vector<MotionOutcome> outcomes_;
 };
 
-MotionEngine::Impl::Impl(std::shared_ptr<const RobotModel> model, std::unique_ptr<Gait> gait)
+MotionEngine::Impl::Impl(std::shared_ptr<const RobotModel> model, std::unique_ptr<Gait> gait,
+                         RequestId last_accepted)
     : model_(std::move(model)),
       dt_(toSeconds(model_->cycle)),
       legs_(jointsOfGroup(*model_, "LLeg") | jointsOfGroup(*model_, "RLeg")),
       body_(*model_),
       setpoints_(model_->jointCount()),
-      walking_(*model_, std::move(gait)) {
+      walking_(*model_, std::move(gait)),
+      last_accepted_(last_accepted) {
   if (const Posture* start = model_->findPosture(model_->start_posture)) {
     body_.angle = start->angle;
   }
@@ -265,8 +268,9 @@ std::vector<MotionOutcome> MotionEngine::Impl::takeOutcomes() {
   return taken;
 }
 
-MotionEngine::MotionEngine(std::shared_ptr<const RobotModel> model, std::unique_ptr<Gait> gait)
-    : impl_(std::make_unique<Impl>(std::move(model), std::move(gait))) {}
+MotionEngine::MotionEngine(std::shared_ptr<const RobotModel> model, std::unique_ptr<Gait> gait,
+                           RequestId last_accepted)
+    : impl_(std::make_unique<Impl>(std::move(model), std::move(gait), last_accepted)) {}
 MotionEngine::~MotionEngine() = default;
 
 void MotionEngine::accept(const MotionRequest& request) { impl_->accept(request); }

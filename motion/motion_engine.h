@@ -17,7 +17,10 @@ namespace nao::motion {
 /// does not jump when it is made stiff again.
 class MotionEngine {
  public:
-  MotionEngine(std::shared_ptr<const RobotModel> model, std::unique_ptr<Gait> gait);
+  /// `gait` may be null: a robot that does not walk. `last_accepted`: where the numbers of the
+  /// requests go on, for an engine that takes the place of another.
+  MotionEngine(std::shared_ptr<const RobotModel> model, std::unique_ptr<Gait> gait,
+               RequestId last_accepted = 0);
   ~MotionEngine();
 
   /// Takes a request over; what it changes shows from the next update().

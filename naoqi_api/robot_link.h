@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "core/robot_io.h"
+#include "core/robot_model.h"
+#include "core/sim_time.h"
+#include "motion/robot_ports.h"
+#include "naoqi_api/call_error.h"
+#include "naoqi_api/pending.h"
+
+namespace nao::services {
+
+/// The services' end of one robot: numbers and posts their requests, tells them how these ended,
+/// and reads what the robot last published. Owned by the I/O thread; nothing here waits. Before
+/// the robot's first cycle the readers throw.
+class RobotLink {
+ public:
+  RobotLink(std::shared_ptr<const RobotModel> model, std::shared_ptr<motion::RobotPorts> ports);
+
+  const RobotModel& model() const { return *model_; }
+  const std::shared_ptr<const RobotModel>& sharedModel() const { return model_; }
+
+  /// @throws CallError when the robot has too many requests to take another.
+  motion::RequestId post(motion::MotionAction action);
+
+  /// Ends a motion if it still goes on, and if the robot takes another request now.
+  void kill(motion::RequestId id);
+
+  /// How the request just posted ends. Canceling it kills the motion. Once per request.
+  rpc::Pending<motion::MotionOutcome> outcomeOf(motion::RequestId id);
+
+  /// Posts, and ends when the motion has ended, be it killed; a failure becomes an error.
+  rpc::Pending<void> postAndWait(motion::MotionAction action);
+
+  /// Ends when `condition` holds for the robot's state and every request posted before this call
+  /// has been taken over: at once if so already.
+  rpc::Pending<void> until(std::function<bool(const motion::MotionState&)> condition);
+
+  /// What `read` returns once everything posted so far has been taken over, so that a client
+  /// reads its own writes. A CallError of `read` becomes the error of the result.
+  template <class F>
+  auto whenSettled(F read) {
+    using Result = std::invoke_result_t<F>;
+    rpc::Pending<Result> result;
+    until({}).whenDone([result, read](const auto& /*settled*/) {
+      try {
+        result.resolve(read());
+      } catch (const rpc::CallError& error) {
+        result.fail(error.what());
+      }
+    });
+    return result;
+  }
+
+  /// The newest sensors and state. @throws CallError before the robot's first cycle.
+  std::shared_ptr<const SensorFrame> sensors() const;
+  std::shared_ptr<const motion::MotionState> state() const;
+
+  /// Simulated time of the robot's last cycle; 0 before the first.
+  SimTime now() const;
+
+  /// Calls `callback` when this much simulated time has passed, in order of time and then of
+  /// asking. Returns the number to cancel it with.
+  std::uint64_t after(Duration delay, std::function<void()> callback);
+  void cancelTimer(std::uint64_t timer);
+
+  /// Hands on what the robot has published since: outcomes, fulfilled conditions, due timers. The
+  /// daemon calls it on the I/O thread after the robot's cycles.
+  void deliver();
+
+ private:
+  struct Waiting {
+    motion::RequestId posted = 0;
+    std::function<bool(const motion::MotionState&)> condition;
+    rpc::Pending<void> pending;
+  };
+  struct Timer {
+    std::uint64_t id = 0;
+    std::function<void()> callback;
+  };
+  static bool holds(const Waiting& waiting, const motion::MotionState* state);
+  void deliverOutcomes();
+  void deliverConditions();
+  void deliverTimers();
+
+  std::shared_ptr<const RobotModel> model_;
+  std::shared_ptr<motion::RobotPorts> ports_;
+  motion::RequestId last_posted_ = 0;
+  std::map<motion::RequestId, rpc::Pending<motion::MotionOutcome>> awaited_;
+  std::vector<Waiting> waiting_;
+  std::multimap<SimTime, Timer> timers_;
+  std::uint64_t last_timer_ = 0;
+};
+
+}  // namespace nao::services

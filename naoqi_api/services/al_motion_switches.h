@@ -1,0 +1,61 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "naoqi_api/robot_link.h"
+#include "naoqi_api/service.h"
+
+namespace nao::services {
+
+/// The switches of ALMotion. Those of the arms' swing act; the others belong to reflexes that are
+/// not simulated: they are remembered and told again, so that programs that set and check them run.
+class AlMotionSwitches {
+ public:
+  explicit AlMotionSwitches(RobotLink& link) : link_(link) {}
+  void declare(rpc::Service& service);
+
+ private:
+  void declareArms(rpc::Service& service);
+  void declareReflexes(rpc::Service& service);
+  void declareDistances(rpc::Service& service);
+  void declareIdle(rpc::Service& service);
+
+  /// Two methods, set<name>Enabled(bool) and get<name>Enabled(), on one remembered switch.
+  void declareSwitch(rpc::Service& service, const std::string& name, bool at_first,
+                     std::uint32_t set_uid, std::uint32_t get_uid);
+
+  void setMoveArmsEnabled(bool left, bool right);
+  bool getMoveArmsEnabled(const std::string& chain);
+  rpc::Value getWalkArmsEnabled();
+
+  bool setCollisionProtectionEnabled(const std::string& chain, bool enable);
+  bool getCollisionProtectionEnabled(const std::string& chain);
+  std::string isCollision(const std::string& chain);
+  void setExternalCollisionProtectionEnabled(const std::string& name, bool enable);
+  bool getExternalCollisionProtectionEnabled(const std::string& name);
+  void setOrthogonalSecurityDistance(float distance) { orthogonal_distance_ = distance; }
+  float getOrthogonalSecurityDistance() { return orthogonal_distance_; }
+  void setTangentialSecurityDistance(float distance) { tangential_distance_ = distance; }
+  float getTangentialSecurityDistance() { return tangential_distance_; }
+
+  void setBreathEnabled(const std::string& chain, bool enable);
+  bool getBreathEnabled(const std::string& chain);
+  void setIdlePostureEnabled(const std::string& chain, bool enable);
+  bool getIdlePostureEnabled(const std::string& chain);
+  void setMotionConfig(const rpc::Value& config);
+  void setEnableNotifications(bool enable) { notifications_ = enable; }
+  bool areNotificationsEnabled() { return notifications_; }
+
+  RobotLink& link_;
+  motion::SetMoveArms arms_;
+  std::map<std::string, bool> collision_protection_;           // by chain; on at first
+  std::map<std::string, bool> external_collision_protection_;  // by chain, Move or All; on at first
+  std::map<std::string, bool> breath_;                         // by chain; off at first
+  std::map<std::string, bool> idle_posture_;                   // by chain; off at first
+  float orthogonal_distance_ = 0.4F;                           // [m] NaoQi's default
+  float tangential_distance_ = 0.1F;                           // [m] NaoQi's default
+  bool notifications_ = true;
+};
+
+}  // namespace nao::services

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+
+#include "naoqi_api/call_error.h"
+#include "naoqi_api/service.h"
+
+namespace nao::services {
+
+/// An error text in the shape NaoQi's modules give it, seen in its users' logs:
+///   \tALMemory::getData\n\tData not found <key>
+inline std::string naoqiError(const std::string& where, const std::string& what) {
+  return "\t" + where + "\n\t" + what;
+}
+
+namespace detail {
+
+/// `result` with its error text, should it end with one, in NaoQi's shape.
+template <class T>
+rpc::Pending<T> withNaoqiError(const rpc::Pending<T>& result, const std::string& where) {
+  rpc::Pending<T> told;
+  result.whenDone([told, where](const auto& outcome) {
+    if (outcome.isCanceled()) return told.cancelNow();
+    if (outcome.error) return told.fail(naoqiError(where, *outcome.error));
+    told.resolve(*outcome.value);
+  });
+  if (result.canBeCanceled()) told.onCancel([result] { result.cancel(); });
+  return told;
+}
+template <class T>
+T withNaoqiError(T result, const std::string& /*where*/) {
+  return result;
+}
+
+}  // namespace detail
+
+/// As Service::method, but errors name the method and come in NaoQi's shape.
+template <class C, class R, class... P, class... Arguments>
+rpc::Service& addMethod(rpc::Service& service, const std::string& name, C* self,
+                        R (C::*function)(P...), std::string meaning, Arguments... arguments) {
+  const std::string where = service.name() + "::" + name;
+  std::function<R(P...)> guarded = [self, function, where](P... value) -> R {
+    try {
+      if constexpr (std::is_void_v<R>) {
+        (self->*function)(value...);
+      } else {
+        return detail::withNaoqiError((self->*function)(value...), where);
+      }
+    } catch (const rpc::CallError& error) {
+      throw rpc::CallError(naoqiError(where, error.what()));
+    }
+  };
+  return service.method(name, std::move(guarded), std::move(meaning), std::move(arguments)...);
+}
+
+}  // namespace nao::services
