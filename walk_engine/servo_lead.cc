@@ -11,10 +11,7 @@ const Vec3 kGravity(0, 0, -9.80665);  // [m/s^2] in O
 }  // namespace
 
 ServoLead::ServoLead(std::shared_ptr<const RobotModel> model)
-    : model_(std::move(model)),
-      half_cycle_(0.5 * toSeconds(model_->cycle)),
-      torque_(model_->jointCount(), 0.0),
-      last_(model_->jointCount(), 0.0) {
+    : model_(std::move(model)), dt_(toSeconds(model_->cycle)), torque_(model_->jointCount(), 0.0) {
   for (std::size_t i = 0; i < 2; ++i) {
     for (int body = model_->feet[i].body; body > 0;
          body = model_->bodies[static_cast<std::size_t>(body)].parent) {
@@ -24,40 +21,94 @@ ServoLead::ServoLead(std::shared_ptr<const RobotModel> model)
   }
 }
 
-// From the sole up, so that each hinge finds the moment of everything below it summed already.
-void ServoLead::addTorques(const motion::Kinematics& body, const Pose& X_OT, const FootLoad& load,
-                           const std::vector<Link>& leg) {
-  Vec3 force = load.force;                   // [N] on what hangs below the hinge
-  Vec3 moment = load.p_O.cross(load.force);  // [N m] about the origin of O
+void ServoLead::plan(const JointArray<double>& angle, const motion::Kinematics& body,
+                     const Pose& X_OT, std::array<bool, 2> stands, bool resting) {
+  newest_ = (newest_ + 1) % 3;
+  PlannedPose& newest = plans_[newest_];
+  newest.angle = angle;
+  newest.stands = stands;
+  newest.X_OB.resize(model_->bodies.size());
+  for (std::size_t b = 0; b < newest.X_OB.size(); ++b) {
+    newest.X_OB[b] = X_OT * body.getPose(static_cast<int>(b));
+  }
+  if (!resting) return;
+  for (PlannedPose& plan : plans_) plan = newest;
+}
+
+// The force [N] a body's acceleration and weight ask for.
+Vec3 ServoLead::calcNeed(std::size_t body) const {
+  const Body& part = model_->bodies[body];
+  const Vec3 p = now().X_OB[body] * part.p_BoBcm;
+  const Vec3 last = before().X_OB[body] * part.p_BoBcm;
+  const Vec3 next = after().X_OB[body] * part.p_BoBcm;
+  return part.mass * ((next - 2 * p + last) / (dt_ * dt_) - kGravity);
+}
+
+ServoLead::Wrench ServoLead::calcGround() const {
+  Wrench ground;
+  for (std::size_t b = 0; b < model_->bodies.size(); ++b) {
+    const Vec3 need = calcNeed(b);
+    ground.force += need;
+    ground.moment += (now().X_OB[b] * model_->bodies[b].p_BoBcm).cross(need);
+  }
+  return ground;
+}
+
+// In single support one foot takes all. In double support the feet share by where the pressure is
+// between them, and each gets the same moment about its own sole per newton.
+std::array<ServoLead::Wrench, 2> ServoLead::shareGround(const Wrench& ground) const {
+  const PlannedPose& plan = now();
+  if (!plan.stands[0]) return {Wrench{}, ground};
+  if (!plan.stands[1]) return {ground, Wrench{}};
+  std::array<Vec3, 2> sole;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const FootModel& foot = model_->feet[i];
+    sole[i] = (plan.X_OB[static_cast<std::size_t>(foot.body)] * foot.X_BS).translation();
+  }
+  const Vec3 pressure(-ground.moment.y() / ground.force.z(), ground.moment.x() / ground.force.z(),
+                      0);
+  const Vec3 across = sole[0] - sole[1];
+  const double left = std::clamp((pressure - sole[1]).dot(across) / across.squaredNorm(), 0.0, 1.0);
+  const Vec3 centre = sole[1] + left * across;
+  const Vec3 rest = ground.moment - centre.cross(ground.force);
+  std::array<Wrench, 2> shares;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double part = i == 0 ? left : 1 - left;
+    shares[i].force = part * ground.force;
+    shares[i].moment = sole[i].cross(shares[i].force) + part * rest;
+  }
+  return shares;
+}
+
+// From the sole up: what acts on everything below a hinge, less what that needs, is left for the
+// motor to balance.
+void ServoLead::addTorques(Wrench wrench, const std::vector<Link>& leg) {
   for (const Link& link : leg) {
     const Body& part = model_->bodies[link.body];
-    const Pose X_OB = X_OT * body.getPose(static_cast<int>(link.body));
-    const Vec3 weight = part.mass * kGravity;
-    force += weight;
-    moment += (X_OB * part.p_BoBcm).cross(weight);
-    const Vec3 about_hinge = moment - X_OB.translation().cross(force);
+    const Pose& X_OB = now().X_OB[link.body];
+    const Vec3 need = calcNeed(link.body);
+    wrench.force -= need;
+    wrench.moment -= (X_OB * part.p_BoBcm).cross(need);
+    const Vec3 about_hinge = wrench.moment - X_OB.translation().cross(wrench.force);
     torque_[link.joint] -= about_hinge.dot(X_OB.linear() * part.axis);
   }
 }
 
-void ServoLead::apply(const motion::Kinematics& body, const Pose& X_OT,
-                      const std::array<FootLoad, 2>& loads, JointArray<double>& angle) {
+void ServoLead::apply(JointArray<double>& angle) {
   torque_ = JointArray<double>(model_->jointCount(), 0.0);
-  for (std::size_t i = 0; i < 2; ++i) addTorques(body, X_OT, loads[i], legs_[i]);
-  const JointArray<double> planned = angle;
+  const std::array<Wrench, 2> shares = shareGround(calcGround());
+  for (std::size_t i = 0; i < 2; ++i) addTorques(shares[i], legs_[i]);
   for (const auto& leg : legs_) {
     for (const Link& link : leg) {
-      const Actuator& motor = model_->actuators[index(link.joint)];
+      const Joint joint = link.joint;
+      const Actuator& motor = model_->actuators[index(joint)];
+      angle[joint] = now().angle[joint];
       if (motor.kp <= 0) continue;
-      const double way = moving_ ? planned[link.joint] - last_[link.joint] : 0;  // [rad] a cycle
-      const double speed = way / (2 * half_cycle_);
-      const double lead =
-          speed * (motor.kd / motor.kp + half_cycle_) + torque_[link.joint] / motor.kp;
-      angle[link.joint] = std::clamp(planned[link.joint] + lead, motor.lower, motor.upper);
+      const double speed = (after().angle[joint] - before().angle[joint]) / (2 * dt_);
+      angle[joint] += speed * (motor.kd / motor.kp + dt_ / 2) + torque_[joint] / motor.kp;
+      angle[joint] = std::clamp(angle[joint], motor.lower, motor.upper);
     }
   }
-  last_ = planned;
-  moving_ = true;
 }
 
 }  // namespace nao::walk

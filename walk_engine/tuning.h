@@ -14,7 +14,7 @@ struct Tuning {
   double zmp_x = 0.012;           // [m] target of the pressure ahead of the ankle; free, 0.01-0.02
   double zmp_y = -0.005;          // [m] the same, towards the outer edge; free
   double swing_settle = 0.03;     // of the swing, straight down at its end; free, 0-0.2
-  double swing_reaction = 0.006;  // [s^2] how far the swinging leg's acceleration drives the
+  double swing_reaction = 0.004;  // [s^2] how far the swinging leg's acceleration drives the
                                   // pressure off, per m/s^2 of the sole: about leg mass times
                                   // lever over weight (0.6 kg 0.27 m / 48 N = 0.0034 s^2), and
                                   // what the servos give way; free, 0.004-0.009

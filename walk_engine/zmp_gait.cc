@@ -65,8 +65,7 @@ class ZmpGait final : public motion::Gait {
   void rise(JointArray<double>& angle);
   void walk(JointCommand& command);
   StanceDemand calcDemand() const;
-  void pose(JointArray<double>& angle);
-  std::array<FootLoad, 2> calcLoads() const;
+  void pose(JointArray<double>& angle, bool resting);
   Eigen::Vector2d calcSwingAcceleration(std::int64_t tick) const;
   void moveCom();
   void swingArms(JointCommand& command);
@@ -77,7 +76,6 @@ class ZmpGait final : public motion::Gait {
   double dt_;  // [s] of a tick
   StanceSolver stance_;
   ServoLead servo_lead_;
-  double total_mass_;  // [kg]
   double com_height_;  // [m]
   PreviewControl preview_;
   FootstepPlan plan_;
@@ -100,7 +98,6 @@ ZmpGait::ZmpGait(std::shared_ptr<const RobotModel> model, const Tuning& tuning)
       dt_(toSeconds(model_->cycle)),
       stance_(model_),
       servo_lead_(model_),
-      total_mass_(model_->totalMass()),
       com_height_(
           stance_.calcComHeight(tuning.knee_bend, tuning.torso_pitch, standingAngles(*model_))),
       preview_(com_height_, kGravity, dt_, static_cast<int>(std::lround(tuning.preview / dt_))),
@@ -167,9 +164,8 @@ void ZmpGait::begin(const JointCommand& command) {
   const Eigen::Vector2d zmp = plan_.calcZmp(tick_);
   com_x_ = {zmp.x(), 0, 0, 0};
   com_y_ = {zmp.y(), 0, 0, 0};
-  servo_lead_.reset();
   JointArray<double> walking = command.angle;
-  pose(walking);
+  pose(walking, true);
   planRise(command.angle, walking);
   for (std::size_t i = 0; i < 2; ++i) {
     if (shoulder_[i]) shoulder_rest_[i] = command.angle[*shoulder_[i]];
@@ -205,7 +201,7 @@ void ZmpGait::walk(JointCommand& command) {
   plan_.advance(tick_, tick_ + preview_.samples() + 1);
   moveCom();
   swingArms(command);
-  pose(command.angle);
+  pose(command.angle, false);
   rise(command.angle);
   position_ = robotPlace({placeOf(Foot::Left), placeOf(Foot::Right)});
   const bool calm = std::hypot(com_x_.velocity, com_y_.velocity) < kAtRest;
@@ -254,29 +250,13 @@ StanceDemand ZmpGait::calcDemand() const {
 }
 
 // Leg commands for the present demand.
-void ZmpGait::pose(JointArray<double>& angle) {
+void ZmpGait::pose(JointArray<double>& angle, bool resting) {
   stance_.solve(calcDemand(), angle);
-  servo_lead_.apply(stance_.body(), stance_.torso(), calcLoads(), angle);
-}
-
-// The ground carries weight and acceleration at the zero moment point, each foot its part.
-std::array<FootLoad, 2> ZmpGait::calcLoads() const {
-  const Vec3 force = total_mass_ * Vec3(com_x_.acceleration, com_y_.acceleration, kGravity);
-  const Vec3 zmp(preview_.calcZmp(com_x_), preview_.calcZmp(com_y_), 0);
-  std::array<FootLoad, 2> loads;
+  std::array<bool, 2> stands{true, true};
   const PlannedStep* step = plan_.current();
-  if (step && tick_ > step->lift()) {
-    loads[index(otherFoot(step->swing))] = {zmp, force};
-    return loads;
-  }
-  const Vec3 left(plan_.feet()[0].x, plan_.feet()[0].y, 0);
-  const Vec3 right(plan_.feet()[1].x, plan_.feet()[1].y, 0);
-  const Vec3 across = left - right;
-  const double share = std::clamp((zmp - right).dot(across) / across.squaredNorm(), 0.0, 1.0);
-  const Vec3 offset = zmp - (right + share * across);
-  loads[0] = {left + offset, share * force};
-  loads[1] = {right + offset, (1 - share) * force};
-  return loads;
+  if (step && tick_ > step->lift()) stands[index(step->swing)] = false;
+  servo_lead_.plan(angle, stance_.body(), stance_.torso(), stands, resting);
+  servo_lead_.apply(angle);
 }
 
 // The sole's place on the floor now, swinging or not.
