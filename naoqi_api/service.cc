@@ -17,9 +17,9 @@ int distance(const Value& given, const Signature& parameter) {
   if (from == to) return 0;
   if (isOneOf(from, "cCwWiIlL") && isOneOf(to, "cCwWiIlL")) return 1;
   if (isOneOf(from, "fd") && isOneOf(to, "fd")) return 1;
-  if (isOneOf(to, "fd")) return 2;
-  if (isOneOf(from, "fd")) return 3;
-  return to == 'b' ? 4 : 5;
+  if (isOneOf(to, "fd")) return 4;
+  if (isOneOf(from, "fd")) return 6;
+  return to == 'b' ? 8 : 10;
 }
 
 // The sum over all arguments, or nothing if they can not be converted.
