@@ -4,7 +4,6 @@ import contextlib
 import math
 import os
 import sys
-import time
 from typing import List, NamedTuple
 
 import page
@@ -15,6 +14,7 @@ from vision_definitions import kBottomCamera, kRGBColorSpace, kTopCamera, kVGA
 
 HELLO = os.path.join(os.path.dirname(__file__), "..", "..", "examples", "motions", "hello.xar")
 WALK = 0.4  # m
+BALL = 1.1  # m; after the walk it lies where the bottom camera looks
 WALK_TOLERANCE = 0.12  # m; more than any sound walk strays over so short a way
 UPRIGHT = 0.5  # rad of torso tilt; a standing Nao leans less, a fallen one far more
 TRACKING = 0.15  # rad between command and encoder of a robot that stands still
@@ -43,7 +43,8 @@ class Demo:
         self._proxy = lambda name: ALProxy(name, ip, int(port))
         self.motion, self.memory = self._proxy("ALMotion"), self._proxy("ALMemory")
         self.recorder = Recorder(address)
-        self.clock = self._proxy("UsarSim").time  # s, simulated
+        self._simulator = self._proxy("UsarSim")
+        self.clock = self._simulator.time  # s, simulated
 
     def tell(self, text: str) -> None:
         print("[%5.1f s] %s" % (self.clock(), text), flush=True)
@@ -66,7 +67,7 @@ class Demo:
 
     def run(self) -> None:
         self.recorder.start()
-        time.sleep(0.3)  # a little of the robot at rest in the curves
+        self.placeBall()
         self.wakeUp()
         self.goToStandInit()
         self.playHello()
@@ -77,6 +78,12 @@ class Demo:
         self.rest()
         self.recorder.stop()
         self.writePage()
+
+    def placeBall(self) -> None:
+        with self.step("put the ball %.1f m ahead" % BALL):  # the hand of the simulator's user
+            x, y, heading = self._simulator.floorPose()
+            self._simulator.placeBall(x + BALL * math.cos(heading), y + BALL * math.sin(heading),
+                                      0.0)
 
     def wakeUp(self) -> None:
         with self.step("wake up"):
