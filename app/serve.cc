@@ -1,9 +1,6 @@
 #include <CLI/CLI.hpp>
-#include <boost/asio/signal_set.hpp>
 #include <cinttypes>
-#include <csignal>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 
 #include "app/commands.h"
@@ -37,10 +34,7 @@ void serve(Arguments& arguments) {
   options.robots_dir = findSourceFile(options.robots_dir);
 
   daemon::Daemon daemon(options);
-  boost::asio::signal_set signals(daemon.io(), SIGINT, SIGTERM);
-  signals.async_wait([&daemon](const auto& error, int) {
-    if (!error) daemon.stop();
-  });
+  daemon.stopOnSignals();
   daemon.run([&] { printReady(daemon, options.listen); });
   const daemon::LoopState end = daemon.state();
   std::printf("stopped at %.3f s of simulated time, state %016" PRIx64 "\n", toSeconds(end.time),

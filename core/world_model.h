@@ -9,7 +9,7 @@
 
 namespace nao {
 
-/// Paint on the ground: a straight line, or a ring (a disc when its width is its radius).
+/// Paint on the ground: a straight line, or a ring (a disc when its width is twice its radius).
 struct GroundMark {
   enum class Kind { Line, Ring };
   Kind kind = Kind::Line;

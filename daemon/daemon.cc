@@ -2,6 +2,7 @@
 
 #include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/post.hpp>
+#include <csignal>
 
 #include "core/check.h"
 
@@ -81,6 +82,14 @@ void Daemon::run(const std::function<void()>& ready) {
 }
 
 void Daemon::stop() { io_.stop(); }
+
+void Daemon::stopOnSignals() {
+  signals_.add(SIGINT);
+  signals_.add(SIGTERM);
+  signals_.async_wait([this](const auto& error, int) {
+    if (!error) stop();
+  });
+}
 
 // Any thread. Ticks come faster than clients are served: one delivery at a time is on its way.
 void Daemon::scheduleDelivery() {

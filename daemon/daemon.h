@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/signal_set.hpp>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -25,10 +26,12 @@ class Daemon {
   /// Serves until stop(). Calls `ready` once clients may connect.
   void run(const std::function<void()>& ready = {});
 
-  /// Ends run(). From the thread of run() or from a signal handler's completion.
+  /// Ends run(). From any thread.
   void stop();
 
-  boost::asio::io_context& io() { return io_; }
+  /// From now on Ctrl-C and SIGTERM end run().
+  void stopOnSignals();
+
   std::size_t robotCount() const { return hosts_.size(); }
   std::string robotName(std::size_t i) const { return simulation_.robotName(i); }
   const RobotModel& robotModel(std::size_t i) { return simulation_.robot(i).model(); }
@@ -43,6 +46,7 @@ class Daemon {
 
   Options options_;
   boost::asio::io_context io_{1};
+  boost::asio::signal_set signals_{io_};
   runtime::Simulation simulation_;
   RobotLoop loop_;
   CameraLoop cameras_;

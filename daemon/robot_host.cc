@@ -1,8 +1,12 @@
 #include "daemon/robot_host.h"
 
+#include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include "daemon/machine_id.h"
+#include "naoqi_api/services/al_frame_manager.h"
+#include "naoqi_api/services/al_motion.h"
+#include "naoqi_api/services/al_robot_posture.h"
 
 namespace nao::daemon {
 namespace {
@@ -23,6 +27,9 @@ RobotHost::RobotHost(const HostContext& context, std::size_t robot)
       pictures_(std::make_shared<camera::RenderQueue>(images_)),
       usar_sim_(context.loop, context.simulation.truth(), robot),
       video_(link_.sharedModel(), images_, kEpoch),
+      memory_(link_.model(), context.simulation.robot(robot).ports(),
+              context.simulation.robotName(robot), [this] { return naoqiTime(); }),
+      al_memory_(memory_),
       hub_(hubOptions(context)) {
   addServices();
   server_ = std::make_unique<Server>(context.io, hub_, context.options.listen,
@@ -38,12 +45,19 @@ rpc::HubOptions RobotHost::hubOptions(const HostContext& context) {
   options.call_later = [this](Duration delay, std::function<void()> then) {
     link_.after(delay, std::move(then));
   };
-  options.clock = [this] { return kEpoch + link_.now().time_since_epoch(); };
+  options.clock = [this] { return naoqiTime(); };
   options.tasks = context.tasks;
   return options;
 }
 
+Duration RobotHost::naoqiTime() const { return kEpoch + link_.now().time_since_epoch(); }
+
 void RobotHost::addServices() {
+  const auto warn = [](const std::string& text) { spdlog::warn("{}", text); };
+  hub_.add(al_memory_.describe());
+  hub_.add(services::makeAlMotion(link_));
+  hub_.add(services::makeAlRobotPosture(link_));
+  hub_.add(services::makeAlFrameManager(link_, warn));
   hub_.add(video_.describe());
   hub_.add(usar_sim_.describe());
 }

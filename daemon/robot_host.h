@@ -12,8 +12,10 @@
 #include "daemon/robot_loop.h"
 #include "daemon/server.h"
 #include "daemon/usar_sim.h"
+#include "naoqi_api/memory/robot_memory.h"
 #include "naoqi_api/robot_link.h"
 #include "naoqi_api/service_hub.h"
+#include "naoqi_api/services/al_memory.h"
 #include "naoqi_api/services/al_video_device.h"
 
 namespace nao::daemon {
@@ -45,6 +47,7 @@ class RobotHost {
 
  private:
   rpc::HubOptions hubOptions(const HostContext& context);
+  Duration naoqiTime() const;
   void addServices();
 
   services::RobotLink link_;
@@ -52,6 +55,8 @@ class RobotHost {
   std::shared_ptr<camera::RenderQueue> pictures_;
   UsarSim usar_sim_;
   services::AlVideoDevice video_;
+  memory::RobotMemory memory_;
+  services::AlMemory al_memory_;
   rpc::ServiceHub hub_;
   std::unique_ptr<Server> server_;
 };
