@@ -115,7 +115,6 @@ void MemoryStore::raiseMicroEvent(const std::string& key, const Value& value) {
 bool MemoryStore::remove(const std::string& key) {
   const auto found = entries_.find(key);
   if (found == entries_.end()) return false;
-  if (found->second.type != KeyType::Data) listeners_->erase(key);
   bytes_ -= sizeOfEntry(key, found->second);
   entries_.erase(found);
   tell(kKeyRemoved, Value(key));

@@ -61,8 +61,11 @@ class MemoryStore {
   void raiseEvent(const std::string& key, const rpc::Value& value);
   void raiseMicroEvent(const std::string& key, const rpc::Value& value);
 
-  /// Forgets the key, and its listeners too if it is an event. False if there is none.
+  /// Forgets the key; its listeners stay. False if there is none.
   bool remove(const std::string& key);
+
+  /// Nobody hears of this key any more.
+  void removeListeners(const std::string& key) { listeners_->erase(key); }
 
   /// False if there is no such key.
   bool describe(const std::string& key, std::string description);

@@ -91,13 +91,15 @@ TEST_F(MemoryStoreTest, AListenerMayRemoveTheEventItHearsOf) {
   EXPECT_EQ(store_.find("ball"), nullptr);
 }
 
-TEST_F(MemoryStoreTest, RemovingAnEventForgetsItsListeners) {
+TEST_F(MemoryStoreTest, ListenersOutliveTheKeyUntilTheyAreRemoved) {
   const auto token = listenTo(store_, "ball");
   store_.raiseEvent("ball", 1);
   EXPECT_TRUE(store_.remove("ball"));
   EXPECT_FALSE(store_.remove("ball"));
   store_.raiseEvent("ball", 2);
-  EXPECT_THAT(heard_, ElementsAre("ball 1"));
+  store_.removeListeners("ball");
+  store_.raiseEvent("ball", 3);
+  EXPECT_THAT(heard_, ElementsAre("ball 1", "ball 2"));
 }
 
 TEST_F(MemoryStoreTest, EventsKeepTheirLastValuesAndMicroEventsNone) {
