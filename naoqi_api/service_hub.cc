@@ -93,6 +93,11 @@ std::shared_ptr<Service> ServiceHub::findService(std::string_view name) const {
   return entry ? entry->service : nullptr;
 }
 
+std::shared_ptr<RemoteObject> ServiceHub::findRemote(std::string_view name) const {
+  const Entry* entry = find(name);
+  return entry && entry->owner ? entry->owner->reach(entry->id) : nullptr;
+}
+
 std::vector<std::string> ServiceHub::relativeEndpoints() const {
   std::vector<std::string> endpoints;
   for (const auto& [id, entry] : entries_) {

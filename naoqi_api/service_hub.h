@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "naoqi_api/personality.h"
+#include "naoqi_api/remote_object.h"
 #include "naoqi_api/service.h"
 #include "naoqi_api/services/service_info.h"
 #include "naoqi_api/tasks.h"
@@ -57,6 +58,9 @@ class ServiceHub {
   const Entry* find(std::uint32_t id) const;
   const Entry* find(std::string_view name) const;  // ready ones only
   std::shared_ptr<Service> findService(std::string_view name) const;
+  /// A service that a client registered, such as a module with callbacks; null if there is none
+  /// of that name. Its calls are made on that client's connection.
+  std::shared_ptr<RemoteObject> findRemote(std::string_view name) const;
   const std::map<std::uint32_t, Entry>& entries() const { return entries_; }
 
   /// What the directory tells `session` about an entry.

@@ -16,9 +16,18 @@ rpc::Pending<Value> failed(std::string text) {
 
 }  // namespace
 
+ClientObject::ClientObject(std::uint32_t service, std::uint32_t object,
+                           std::shared_ptr<ClientCalls> calls)
+    : service_(service), object_(object), calls_(std::move(calls)) {}
+
 ClientObject::ClientObject(const Value& metaobject, std::uint32_t service, std::uint32_t object,
                            std::shared_ptr<ClientCalls> calls)
-    : service_(service), object_(object), calls_(std::move(calls)) {
+    : ClientObject(service, object, std::move(calls)) {
+  learn(metaobject);
+}
+
+void ClientObject::learn(const Value& metaobject) {
+  is_known_ = true;
   const auto* fields = metaobject.findItems();
   if (!fields || fields->empty()) return;
   const auto* methods = fields->front().find<Value::Map>();
@@ -37,7 +46,28 @@ ClientObject::~ClientObject() {
   calls_->post({service_, object_, base_action::kTerminate}, std::move(service));
 }
 
+rpc::Pending<Value> ClientObject::ask() {
+  return calls_->call({service_, object_, base_action::kMetaObject}, Value::tuple({0U}),
+                      Signature::of("(I)"), metaObjectSignature());
+}
+
 rpc::Pending<Value> ClientObject::call(std::string_view name, const std::vector<Value>& arguments) {
+  if (is_known_) return callKnown(name, arguments);
+  rpc::Pending<Value> result;
+  ask().whenDone([self = shared_from_this(), result, method = std::string(name),
+                  arguments](const rpc::Outcome<Value>& metaobject) {
+    if (!metaobject.value) return result.fail(metaobject.error.value_or("canceled"));
+    if (!self->is_known_) self->learn(*metaobject.value);
+    self->callKnown(method, arguments).whenDone([result](const rpc::Outcome<Value>& outcome) {
+      if (outcome.value) return result.resolve(*outcome.value);
+      result.fail(outcome.error.value_or("canceled"));
+    });
+  });
+  return result;
+}
+
+rpc::Pending<Value> ClientObject::callKnown(std::string_view name,
+                                            const std::vector<Value>& arguments) {
   for (const auto& [uid, method] : methods_) {
     if (method.name != name) continue;
     const auto parameters = Signature::parse(method.parameters);  // "m" takes any tuple

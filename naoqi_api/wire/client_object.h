@@ -4,6 +4,8 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "naoqi_api/remote_object.h"
 #include "naoqi_api/wire/client_calls.h"
@@ -12,11 +14,13 @@ namespace nao::wire {
 
 /// A RemoteObject reached through the connection of the client that hosts it. The client is told
 /// when nobody here needs it any more.
-class ClientObject : public rpc::RemoteObject {
+class ClientObject : public rpc::RemoteObject, public std::enable_shared_from_this<ClientObject> {
  public:
   /// @param metaobject what the client says it offers; see wire/metaobject.h.
   ClientObject(const Value& metaobject, std::uint32_t service, std::uint32_t object,
                std::shared_ptr<ClientCalls> calls);
+  /// What it offers is asked for at the first call.
+  ClientObject(std::uint32_t service, std::uint32_t object, std::shared_ptr<ClientCalls> calls);
   ~ClientObject() override;
 
   rpc::Pending<Value> call(std::string_view name, const std::vector<Value>& arguments) override;
@@ -29,6 +33,11 @@ class ClientObject : public rpc::RemoteObject {
     std::string returns;
   };
 
+  void learn(const Value& metaobject);
+  rpc::Pending<Value> ask();
+  rpc::Pending<Value> callKnown(std::string_view name, const std::vector<Value>& arguments);
+
+  bool is_known_ = false;
   std::map<std::uint32_t, Method> methods_;
   std::uint32_t service_;
   std::uint32_t object_;

@@ -4,6 +4,7 @@
 
 #include "naoqi_api/wire/base_actions.h"
 #include "naoqi_api/wire/bytes.h"
+#include "naoqi_api/wire/client_object.h"
 #include "naoqi_api/wire/metaobject.h"
 
 namespace nao::wire {
@@ -42,11 +43,15 @@ Dispatcher::Dispatcher(rpc::ServiceHub& hub, std::shared_ptr<Channel> channel,
       objects_(hub_, channel_, client_calls_),
       subscriptions_(channel_, objects_) {
   client_calls_->setObjects(&objects_);
+  session_->setReach([calls = client_calls_](std::uint32_t service) {
+    return std::make_shared<ClientObject>(service, ObjectHost::kMain, calls);
+  });
 }
 
 void Dispatcher::end() {
   unfinished_.clear();
   subscriptions_.clear();
+  session_->setReach({});
   client_calls_->setObjects(nullptr);
   client_calls_->failAll();
 }
