@@ -229,7 +229,10 @@ class Encoder {
     if (const auto* dynamic = std::get_if<Value::Dynamic>(&value.content())) {
       return writeDynamic(*dynamic->inner);
     }
-    write(value, Signature::of(text));
+    // A client's value inside a tuple of ours may be nested deeper than any type may be.
+    const auto signature = Signature::parse(text);
+    if (!signature) throw CodecError("ISerialization error: nested too deep");
+    write(value, *signature);
   }
 
   void operator()(const Value::Void& /*none*/) {}

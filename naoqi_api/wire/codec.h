@@ -78,7 +78,8 @@ class Decoder {
 void encode(Bytes& out, const Value& value, const Signature& signature,
             ObjectCodec* objects = nullptr);
 
-/// Appends `value` as a dynamic: its own signature, then itself.
+/// Appends `value` as a dynamic: its own signature, then itself. @throws CodecError if it is nested
+/// too deep to be named.
 void encodeDynamic(Bytes& out, const Value& value, ObjectCodec* objects = nullptr);
 
 }  // namespace nao::wire

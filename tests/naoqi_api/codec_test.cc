@@ -129,6 +129,15 @@ TEST(Codec, NestingHasAnEnd) {
   EXPECT_EQ(errorOf(nested(100000), "m"), "ISerialization error: nested too deep");
 }
 
+TEST(Codec, AValueOfTheDeepestTypeCanNotBeWrittenInsideATuple) {
+  const std::string element = std::string(63, '[') + "m" + std::string(63, ']');
+  const Value deepest = Value::listOf(element, {});  // 64 lists deep
+  Bytes bytes;
+  encodeDynamic(bytes, deepest);
+  EXPECT_EQ(Decoder(bytes).read("m"), deepest);
+  EXPECT_THROW(encodeDynamic(bytes, Value::tuple({deepest})), CodecError);
+}
+
 TEST(Codec, BadSignaturesAreErrors) {
   EXPECT_EQ(errorOf(dynamic("q"), "m"), "ISerialization error: bad signature q");
   EXPECT_EQ(errorOf(dynamic("(i"), "m"), "ISerialization error: bad signature (i");
