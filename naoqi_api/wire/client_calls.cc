@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "naoqi_api/convert.h"
+
 namespace nao::wire {
 namespace {
 
@@ -45,11 +47,15 @@ void ClientCalls::post(const Address& address, Bytes arguments) {
   channel_->sendNew(callTo(address, MessageType::Post, std::move(arguments), 0));
 }
 
+// Callers rely on the type: a dynamic is bent to it.
 Value ClientCalls::result(const Open& open, const Message& answer) {
-  const bool dynamic = (answer.flags & kFlagDynamic) != 0;
-  const auto returns = Signature::parse(dynamic ? "m" : open.returns);
+  const auto returns = Signature::parse(open.returns);
   if (!returns) throw CodecError("the client declares no valid type: " + open.returns);
-  return Decoder(answer.payload, objects_).read(*returns);
+  Decoder decoder(answer.payload, objects_);
+  if ((answer.flags & kFlagDynamic) == 0) return decoder.read(*returns);
+  auto fitting = rpc::convert(decoder.read("m"), *returns, rpc::Bend::Declared);
+  if (!fitting) throw CodecError("the client's result is not " + returns->words());
+  return *std::move(fitting);
 }
 
 void ClientCalls::take(const Message& answer) {

@@ -46,6 +46,17 @@ class ClientObjectTest : public testing::Test {
     ASSERT_TRUE(keeper_.kept.remote);
   }
 
+  // A service of the client, found by its name.
+  std::shared_ptr<rpc::RemoteObject> registerModule() {
+    services::ServiceInfo info;
+    info.name = "Module";
+    client_.call({1, 1, 102}, Value::tuple({toValue(info, services::ServiceInfoFields::Six)}));
+    const auto id = client_.nextValue("I").to<std::uint32_t>();
+    client_.call({1, 1, 104}, Value::tuple({id}));
+    client_.received.clear();
+    return demo_.hub.findRemote("Module");
+  }
+
   // The client answers a call that came.
   void answer(const Message& call, const Value& value, MessageType type = MessageType::Reply) {
     Message message;
@@ -134,19 +145,12 @@ TEST_F(ClientObjectTest, AnObjectOfOursComesBackAsItself) {
 }
 
 TEST_F(ClientObjectTest, AServiceOfAClientIsAskedWhatItOffersThenCalled) {
-  const auto six = services::ServiceInfoFields::Six;
-  services::ServiceInfo info;
-  info.name = "Module";
-  client_.call({1, 1, 102}, Value::tuple({services::toValue(info, six)}));
-  const auto id = client_.nextValue("I").to<std::uint32_t>();
-  client_.call({1, 1, 104}, Value::tuple({id}));
-  client_.received.clear();
-  const auto remote = demo_.hub.findRemote("Module");
+  const auto remote = registerModule();
   ASSERT_TRUE(remote);
   const auto result = remote->call("say", {"x"});
   const auto ask = client_.next();
   ASSERT_TRUE(ask);
-  EXPECT_EQ(ask->address.service, id);
+  EXPECT_EQ(ask->address.service, demo_.hub.find("Module")->id);
   EXPECT_EQ(ask->address.action, base_action::kMetaObject);
   answer(*ask, metaObjectOf(*demo_.hub.findService("Demo"), false));
   const auto call = client_.next();
@@ -155,6 +159,23 @@ TEST_F(ClientObjectTest, AServiceOfAClientIsAskedWhatItOffersThenCalled) {
   answer(*call, "fine");
   EXPECT_EQ(*result.outcome()->value, Value("fine"));
   EXPECT_EQ(demo_.hub.findRemote("Demo"), nullptr);
+}
+
+TEST_F(ClientObjectTest, ADynamicInsteadOfAMetaObjectIsAnError) {
+  const auto remote = registerModule();
+  ASSERT_TRUE(remote);
+  const auto result = remote->call("say", {"x"});
+  const auto ask = client_.next();
+  ASSERT_TRUE(ask);
+  Message message;
+  message.id = ask->id;
+  message.type = MessageType::Reply;
+  message.flags = kFlagDynamic;
+  message.address = ask->address;
+  encodeDynamic(message.payload, Value::tuple({Value::Map{"I", "i", {{Value(1U), Value(2)}}}}));
+  client_.send(message);
+  ASSERT_TRUE(result.isDone());
+  EXPECT_TRUE(result.outcome()->error);
 }
 
 }  // namespace
