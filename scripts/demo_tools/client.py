@@ -169,7 +169,7 @@ class Demo:
         with open(file_name, "wb") as file:
             file.write(data)
         self.pictures.append((name + " camera, %d x %d" % (width, height), data))
-        self.figure("picture", "%s, %d x %d" % (file_name, width, height))
+        self.tell("    %s, %d x %d" % (file_name, width, height))
 
     def speak(self) -> None:
         with self.step("speak"):
@@ -224,7 +224,8 @@ def relative(pose: Pose, origin: Pose) -> Pose:
 
 def describe(pose: Pose) -> str:
     return "x %.3f m, y %.3f m, heading %.1f deg" % (
-        pose.x, pose.y, math.degrees(wrap(pose.heading)))
+        round(pose.x, 3) + 0.0, round(pose.y, 3) + 0.0,  # adding 0 makes -0 a plain 0
+        round(math.degrees(wrap(pose.heading)), 1) + 0.0)
 
 
 if __name__ == "__main__":
