@@ -29,7 +29,10 @@ RobotHost::RobotHost(const HostContext& context, std::size_t robot)
       video_(link_.sharedModel(), images_, kEpoch),
       memory_(link_.model(), context.simulation.robot(robot).ports(),
               context.simulation.robotName(robot), [this] { return naoqiTime(); }),
-      al_memory_(memory_),
+      al_memory_(memory_, [this](const std::string& name) { return hub_.findRemote(name); }),
+      speech_(memory_.store(), callLater(),
+              [](const std::string& text) { spdlog::info("says: {}", text); }),
+      system_(memory_.store(), context.simulation.robotName(robot)),
       hub_(hubOptions(context)) {
   addServices();
   server_ = std::make_unique<Server>(context.io, hub_, context.options.listen,
@@ -42,12 +45,15 @@ rpc::HubOptions RobotHost::hubOptions(const HostContext& context) {
       context.options.strict ? rpc::Personality::libqi4() : rpc::Personality::naoqi();
   options.machine_id = machineId();
   options.process_id = static_cast<std::uint32_t>(::getpid());
-  options.call_later = [this](Duration delay, std::function<void()> then) {
-    link_.after(delay, std::move(then));
-  };
+  options.call_later = callLater();
   options.clock = [this] { return naoqiTime(); };
   options.tasks = context.tasks;
   return options;
+}
+
+rpc::CallLater RobotHost::callLater() {
+  return
+      [this](Duration delay, std::function<void()> then) { link_.after(delay, std::move(then)); };
 }
 
 Duration RobotHost::naoqiTime() const { return kEpoch + link_.now().time_since_epoch(); }
@@ -55,6 +61,8 @@ Duration RobotHost::naoqiTime() const { return kEpoch + link_.now().time_since_e
 void RobotHost::addServices() {
   const auto warn = [](const std::string& text) { spdlog::warn("{}", text); };
   hub_.add(al_memory_.describe());
+  hub_.add(system_.describe());
+  hub_.add(speech_.describe());
   hub_.add(services::makeAlMotion(link_));
   hub_.add(services::makeAlRobotPosture(link_));
   hub_.add(services::makeAlFrameManager(link_, warn));

@@ -16,6 +16,8 @@
 #include "naoqi_api/robot_link.h"
 #include "naoqi_api/service_hub.h"
 #include "naoqi_api/services/al_memory.h"
+#include "naoqi_api/services/al_system.h"
+#include "naoqi_api/services/al_text_to_speech.h"
 #include "naoqi_api/services/al_video_device.h"
 
 namespace nao::daemon {
@@ -47,6 +49,7 @@ class RobotHost {
 
  private:
   rpc::HubOptions hubOptions(const HostContext& context);
+  rpc::CallLater callLater();
   Duration naoqiTime() const;
   void addServices();
 
@@ -57,6 +60,8 @@ class RobotHost {
   services::AlVideoDevice video_;
   memory::RobotMemory memory_;
   services::AlMemory al_memory_;
+  services::AlTextToSpeech speech_;
+  services::AlSystem system_;
   rpc::ServiceHub hub_;
   std::unique_ptr<Server> server_;
 };

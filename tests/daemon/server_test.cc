@@ -1,0 +1,165 @@
+// The whole daemon on loopback: the one place where tests use sockets.
+#include <gtest/gtest.h>
+
+#include <future>
+#include <limits>
+#include <thread>
+
+#include "core/check.h"
+#include "core/random.h"
+#include "daemon/daemon.h"
+#include "tests/daemon/tcp_client.h"
+
+namespace nao::daemon {
+namespace {
+
+using rpc::Value;
+
+Options optionsFor(std::vector<RobotOption> robots) {
+  Options options;
+  options.robots = std::move(robots);
+  options.world = NAO_SOURCE_DIR "/worlds/empty.yaml";
+  options.robots_dir = NAO_SOURCE_DIR "/robots";
+  options.port = 0;
+  options.speed = std::numeric_limits<double>::infinity();
+  return options;
+}
+
+/// A daemon that runs until the end of the test.
+class Running {
+ public:
+  explicit Running(const Options& options) : daemon_(options), thread_([this] { daemon_.run(); }) {}
+  ~Running() {
+    daemon_.stop();
+    thread_.join();
+  }
+  std::uint16_t port(std::size_t robot = 0) const { return daemon_.port(robot); }
+
+ private:
+  Daemon daemon_;
+  std::thread thread_;
+};
+
+class ServerTest : public testing::Test {
+ protected:
+  double simulatedTime(TcpClient& client) {
+    const std::uint32_t usar_sim = client.service("UsarSim");
+    return *client.answer(client.call({usar_sim, 1, 105}, Value::tuple({})), "d").find<double>();
+  }
+
+  /// A well-behaved client is served, and time goes on.
+  void expectWell() {
+    TcpClient client(running_.port());
+    const double before = simulatedTime(client);
+    while (simulatedTime(client) <= before) {
+    }
+  }
+
+  Running running_{optionsFor({{"nao", "nao_h21_v33", {}}})};
+};
+
+TEST_F(ServerTest, ServesAClient) { expectWell(); }
+
+TEST_F(ServerTest, ClosesOnGarbageAndServesTheNext) {
+  TcpClient client(running_.port());
+  client.sendBytes(wire::Bytes(100, 'x'));
+  EXPECT_FALSE(client.receive());
+  expectWell();
+}
+
+TEST_F(ServerTest, ClosesOnAMessageThatIsTooLarge) {
+  TcpClient client(running_.port());
+  wire::Message message;
+  wire::Bytes frame = encodeFrame(message);
+  frame[11] = 0x7f;  // the size's highest byte: 2 GB
+  client.sendBytes(frame);
+  EXPECT_FALSE(client.receive());
+  expectWell();
+}
+
+TEST_F(ServerTest, SurvivesClientsThatVanish) {
+  for (int k = 0; k < 20; ++k) {
+    TcpClient client(running_.port());
+    const std::uint32_t motion = client.service("ALMotion");
+    client.call({motion, 1, 113}, Value::tuple({}));  // wakeUp, which takes seconds
+    if (k % 2) client.sendBytes(wire::Bytes{0x42, 0xde, 0xad});
+    client.shutDown();
+  }
+  expectWell();
+}
+
+TEST_F(ServerTest, ClosesAClientThatDoesNotRead) {
+  TcpClient deaf(running_.port());
+  wire::Bytes calls;
+  for (std::uint32_t id = 1; id <= 2000; ++id) {  // each answered with some kilobytes
+    wire::Message message;
+    message.id = id;
+    message.address = {1, 1, 2};
+    wire::encode(message.payload, Value::tuple({0U}), rpc::Signature::of("(I)"));
+    const wire::Bytes frame = encodeFrame(message);
+    calls.insert(calls.end(), frame.begin(), frame.end());
+  }
+  // Either it is closed, or it is no longer read and this send would stall: bound it.
+  for (int k = 0; k < 3; ++k) {
+    if (!deaf.trySendBytes(calls)) break;
+  }
+  expectWell();
+}
+
+TEST_F(ServerTest, MutatedFramesNeverStopIt) {
+  Random random(5);
+  for (int k = 0; k < 100; ++k) {
+    TcpClient client(running_.port());
+    wire::Message message;
+    message.id = 1;
+    message.address = {static_cast<std::uint32_t>(random.uniform(0, 6)),
+                       static_cast<std::uint32_t>(random.uniform(0, 3)),
+                       static_cast<std::uint32_t>(random.uniform(0, 300))};
+    message.payload.resize(static_cast<std::size_t>(random.uniform(0, 64)));
+    for (auto& byte : message.payload) byte = static_cast<std::uint8_t>(random.uniform(0, 256));
+    client.trySendBytes(encodeFrame(message));
+  }
+  expectWell();
+}
+
+TEST(Daemon, RobotsListenOnTheirOwnPorts) {
+  Running running(optionsFor({{"a", "nao_h21_v33", {}}, {"b", "nao_h25_v50", {}}}));
+  EXPECT_NE(running.port(0), running.port(1));
+  for (std::size_t i = 0; i < 2; ++i) {
+    TcpClient client(running.port(i));
+    const std::uint32_t motion = client.service("ALMotion");
+    const auto id = client.call({motion, 1, 255}, Value::tuple({"Body"}));
+    const Value names = client.answer(id, "[s]");
+    ASSERT_NE(names.findItems(), nullptr);
+    EXPECT_EQ(names.findItems()->size(), i == 0 ? 22U : 26U);  // H21, H25
+  }
+}
+
+TEST(Daemon, SaysThatAPortIsTaken) {
+  Running running(optionsFor({{"nao", "nao_h21_v33", {}}}));
+  Options options = optionsFor({{"other", "nao_h21_v33", {}}});
+  options.port = running.port();
+  try {
+    Daemon second(options);
+    FAIL() << "two daemons on one port";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find(std::to_string(running.port())), std::string::npos);
+  }
+}
+
+TEST(Daemon, RefusesTwoRobotsOfOneName) {
+  EXPECT_THROW(Daemon(optionsFor({{"a", "nao_h21_v33", {}}, {"a", "nao_h21_v33", {}}})),
+               InputError);
+}
+
+TEST(Daemon, AStrictOneRefusesCallsBeforeAuthentication) {
+  Options options = optionsFor({{"nao", "nao_h21_v33", {}}});
+  options.strict = true;
+  Running running(options);
+  TcpClient client(running.port());
+  const auto answer = client.answer(client.call({1, 1, 2}, Value::tuple({0U})), "m");
+  EXPECT_NE(answer.find<std::string>(), nullptr);
+}
+
+}  // namespace
+}  // namespace nao::daemon
