@@ -24,29 +24,40 @@ Robot::Robot(std::shared_ptr<const RobotModel> model)
 void Robot::acceptRequests() {
   const auto requests = ports_->requests.drain();
   if (requests.empty() && unsent_.empty()) return;
-  for (const motion::MotionRequest& request : requests) motion_->accept(request);
+  for (const motion::MotionRequest& request : requests) accept(request);
   publish();
 }
 
 JointCommand Robot::tick(const SensorFrame& frame) {
-  for (const motion::MotionRequest& request : ports_->requests.drain()) motion_->accept(request);
+  for (const motion::MotionRequest& request : ports_->requests.drain()) accept(request);
   JointCommand command = motion_->update(frame);
   ports_->sensors.publish(frame);
   publish();
   return command;
 }
 
+void Robot::accept(const motion::MotionRequest& request) {
+  open_.insert(request.id);
+  last_accepted_ = request.id;
+  motion_->accept(request);
+}
+
 void Robot::restart() {
   acceptRequests();
-  const motion::MotionState before = motion_->state();
-  motion_->accept({before.last_accepted, motion::KillAll{}});
-  publish();
+  for (const motion::RequestId id : open_) {
+    unsent_.push_back({id, motion::MotionOutcome::Kind::Killed, "the robot was restarted"});
+  }
+  open_.clear();
   motion_ = makeEngine(model_);
+  publish();
 }
 
 void Robot::publish() {
-  ports_->state.publish(motion_->state());
+  motion::MotionState state = motion_->state();
+  state.last_accepted = last_accepted_;
+  ports_->state.publish(std::move(state));
   for (motion::MotionOutcome& outcome : motion_->takeOutcomes()) {
+    open_.erase(outcome.id);
     unsent_.push_back(std::move(outcome));
   }
   std::size_t sent = 0;

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,11 +34,14 @@ class Robot {
   void restart();
 
  private:
+  void accept(const motion::MotionRequest& request);
   void publish();
 
   std::shared_ptr<const RobotModel> model_;
   std::shared_ptr<motion::RobotPorts> ports_;
   std::unique_ptr<motion::MotionEngine> motion_;
+  std::set<motion::RequestId> open_;           // accepted and not yet ended
+  motion::RequestId last_accepted_ = 0;        // outlives restarts, as clients' counts do
   std::vector<motion::MotionOutcome> unsent_;  // while the mailbox is full
 };
 

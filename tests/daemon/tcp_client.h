@@ -68,8 +68,8 @@ class TcpClient {
     for (;;) {
       const auto message = receive();
       if (!message) throw std::runtime_error("the daemon closed the connection");
-      if (message->id != id || message->type == wire::MessageType::Event) continue;
       const bool error = message->type == wire::MessageType::Error;
+      if (message->id != id || (message->type != wire::MessageType::Reply && !error)) continue;
       return wire::Decoder(message->payload).read(error ? "m" : signature);
     }
   }

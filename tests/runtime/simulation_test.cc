@@ -115,6 +115,7 @@ TEST(Simulation, AResetEndsWhatWasUnderWay) {
   EXPECT_NE(outcomes.front().kind, motion::MotionOutcome::Kind::Done);
   simulation.advanceTo(simulation.now() + 500ms);
   EXPECT_FALSE(ports.state.get()->awake);
+  EXPECT_EQ(ports.state.get()->last_accepted, 2u);  // who waits for that must not wait for ever
   EXPECT_NEAR(truePose(simulation, 0).x, 0, 0.02);
 }
 
