@@ -133,6 +133,21 @@ Keys idleDevices(const RobotModel& model) {
   return keys;
 }
 
+Keys idleEvents(const RobotModel& model) {
+  Keys keys;
+  if (!isNao(model)) return keys;
+  for (const std::string part : {"Front", "Middle", "Rear"}) {
+    keys.emplace_back(part + "TactilTouched", 0.0F);
+  }
+  if (!hasHands(model)) return keys;
+  for (const std::string hand : kSides) {
+    for (const std::string part : {"Back", "Left", "Right"}) {
+      keys.emplace_back("Hand" + hand + part + "Touched", 0.0F);
+    }
+  }
+  return keys;
+}
+
 Keys fixedKeys(const RobotModel& model, const std::string& name) {
   Keys keys;
   for (const Actuator& actuator : model.actuators) addLimits(actuator, keys);

@@ -16,6 +16,9 @@ using Keys = std::vector<std::pair<std::string, rpc::Value>>;
 /// diagnosis (no error). Stored once at the start; which there are depends on body and version.
 Keys idleDevices(const RobotModel& model);
 
+/// Events of touch sensors that nothing presses, with the value they are raised with at the start.
+Keys idleEvents(const RobotModel& model);
+
 /// What never changes: RobotConfig/..., identities, joint limits [rad], places of the force
 /// sensors [m]. `name` is the robot's.
 Keys fixedKeys(const RobotModel& model, const std::string& name);

@@ -5,6 +5,26 @@
 #include "naoqi_api/call_error.h"
 
 namespace nao::services {
+namespace {
+
+using rpc::Value;
+
+// Calls with (event, value, message). A module's method may leave out the message, or take nothing
+// at all: one that does not fit is not called, so that fewer arguments may be tried.
+void callBack(const std::shared_ptr<rpc::RemoteObject>& module, const std::string& method,
+              const std::vector<Value>& arguments) {
+  const auto called = module->call(method, arguments);
+  if (arguments.empty()) return;
+  called.whenDone([module, method, arguments](const rpc::Outcome<Value>& outcome) {
+    if (!outcome.error || !module->isReachable()) return;
+    constexpr std::size_t kAll = 3;
+    std::vector<Value> fewer;
+    if (arguments.size() == kAll) fewer = {arguments[0], arguments[1]};
+    callBack(module, method, fewer);
+  });
+}
+
+}  // namespace
 
 AlMemoryCallbacks::AlMemoryCallbacks(memory::MemoryStore& store, FindModule find_module)
     : store_(store), find_module_(std::move(find_module)) {}
@@ -22,9 +42,9 @@ void AlMemoryCallbacks::add(const std::string& event, const Callback& callback,
     throw rpc::CallError("too many callbacks: there are " + std::to_string(kMost) + " already");
   }
   const std::weak_ptr<State> state = state_;
-  auto token = store_.listen(event, [=](const std::string& raised, const rpc::Value& value) {
+  auto token = store_.listen(event, [=](const std::string& raised, const Value& value) {
     if (module->isReachable()) {
-      module->call(callback.method, {raised, value, callback.message});
+      callBack(module, callback.method, {raised, value, callback.message});
     } else if (const auto left = state.lock()) {
       left->subscriptions.erase(key);
     }

@@ -24,7 +24,7 @@ class AlMemoryCallbacks {
  public:
   AlMemoryCallbacks(memory::MemoryStore& store, FindModule find_module);
 
-  /// Who is to be called, and how: method(event, value, message).
+  /// Who is to be called, and how: method(event, value, message), or with fewer arguments.
   struct Callback {
     std::string module;
     std::string method;

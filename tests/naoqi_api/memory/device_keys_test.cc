@@ -194,6 +194,7 @@ class DeviceKeysOfHumanHands : public DeviceKeysTest {
 std::set<std::string> storedKeys(const RobotModel& model) {
   std::set<std::string> names;
   for (const auto& [key, value] : idleDevices(model)) EXPECT_TRUE(names.insert(key).second) << key;
+  for (const auto& [key, value] : idleEvents(model)) EXPECT_TRUE(names.insert(key).second) << key;
   for (const auto& [key, value] : fixedKeys(model, "nao")) {
     EXPECT_TRUE(names.insert(key).second) << key;
   }

@@ -33,11 +33,17 @@ constexpr char kYaw[] = "Device/SubDeviceList/HeadYaw/Position/Sensor/Value";
 class HostedModule : public rpc::RemoteObject {
  public:
   rpc::Pending<Value> call(std::string_view name, const std::vector<Value>& arguments) override {
-    calls.push_back(std::string(name) + " " + Value::list(arguments).print());
-    return {};  // never answers: nobody may wait for it
+    rpc::Pending<Value> result;  // never ends if it fits: nobody may wait for it
+    if (arguments.size() == takes) {
+      calls.push_back(std::string(name) + " " + Value::list(arguments).print());
+    } else {
+      result.fail("no such method");
+    }
+    return result;
   }
   bool isReachable() const override { return reachable; }
 
+  std::size_t takes = 3;
   std::vector<std::string> calls;
   bool reachable = true;
 };
@@ -245,6 +251,29 @@ TEST_F(AlMemoryTest, CallsBackAModuleWithEventValueAndMessage) {
   call("raiseMicroEvent", {"micro", 2});
   EXPECT_THAT(module->calls,
               ElementsAre("onBall [\"ball\", 1, \"\"]", "onMicro [\"micro\", 2, \"hello\"]"));
+}
+
+TEST_F(AlMemoryTest, ACallbackMayTakeFewerArguments) {
+  const auto two = modules_["Two"] = std::make_shared<HostedModule>();
+  const auto none = modules_["None"] = std::make_shared<HostedModule>();
+  const auto odd = modules_["Odd"] = std::make_shared<HostedModule>();
+  two->takes = 2;
+  none->takes = 0;
+  odd->takes = 5;
+  for (const char* module : {"Two", "None", "Odd"}) {
+    call("subscribeToEvent", {"ball", module, "onBall"});
+  }
+  call("raiseEvent", {"ball", 1});
+  EXPECT_THAT(two->calls, ElementsAre("onBall [\"ball\", 1]"));
+  EXPECT_THAT(none->calls, ElementsAre("onBall []"));
+  EXPECT_THAT(odd->calls, IsEmpty());
+}
+
+TEST_F(AlMemoryTest, TouchSensorsAreEventsThatNothingPressed) {
+  EXPECT_EQ(call("getData", {"FrontTactilTouched"}), Value(0.0F));
+  EXPECT_EQ(call("getType", {"FrontTactilTouched"}), Value("Event"));
+  EXPECT_EQ(call("getData", {"HandLeftBackTouched"}),
+            Value("! \tALMemory::getData\n\tData not found HandLeftBackTouched"));
 }
 
 TEST_F(AlMemoryTest, AModuleHasOneCallbackPerEventUntilItUnsubscribes) {

@@ -44,6 +44,31 @@ class AlMemoryWireTest : public ::testing::Test {
     ASSERT_EQ(reply->type, MessageType::Reply);
   }
 
+  // The client hosts a module with the method onBall(event, value, message).
+  void registerModule() {
+    services::ServiceInfo info;
+    info.name = "Module";
+    client_.call({1, 1, 102}, Value::tuple({toValue(info, ServiceInfoFields::Six)}));
+    const auto id = client_.nextValue("I").to<std::uint32_t>();
+    client_.call({1, 1, 104}, Value::tuple({id}));
+    client_.received.clear();
+  }
+  void answer(const Message& call, const Value& value) {
+    Message reply;
+    reply.id = call.id;
+    reply.type = MessageType::Reply;
+    reply.address = call.address;
+    wire::encode(reply.payload, value, rpc::Signature::of(value.signature()));
+    client_.send(reply);
+  }
+  static Value describeModule() {
+    const std::function<void(std::string, Value, std::string)> on_ball =
+        [](const std::string&, const Value&, const std::string&) {};
+    rpc::Service module("Module", "");
+    module.method("onBall", on_ball, "", rpc::Argument{}, rpc::Argument{}, rpc::Argument{});
+    return wire::metaObjectOf(module, false);
+  }
+
   void raise(wire::TestClient& client, const std::string& event, const Value& value) {
     client.call({id_, 1, 135}, Value::tuple("(sm)", {event, value}));
   }
@@ -51,7 +76,7 @@ class AlMemoryWireTest : public ::testing::Test {
   std::shared_ptr<const RobotModel> model_ = test::robot("nao_h21_v33");
   memory::RobotMemory memory_{*model_, std::make_shared<motion::RobotPorts>(), "nao",
                               [] { return Duration(); }};
-  AlMemory al_memory_{memory_};
+  AlMemory al_memory_{memory_, [this](const std::string& name) { return hub_.findRemote(name); }};
   rpc::ServiceHub hub_{wire::DemoHub::options(rpc::Personality::naoqi())};
   std::uint32_t id_;
   wire::TestClient client_{hub_};
@@ -101,6 +126,30 @@ TEST_F(AlMemoryWireTest, AClientThatVanishesLeavesNothingBehind) {
   EXPECT_EQ(memory_.store().listenerCount("ball"), 0U);
   raise(other_, "ball", 1);
   EXPECT_EQ(other_.next()->type, MessageType::Reply);
+}
+
+TEST_F(AlMemoryWireTest, CallsTheModuleOfAClientWithoutWaitingForIt) {
+  registerModule();
+  client_.call({id_, 1, 140}, Value::tuple({"ball", "Module", "onBall"}));
+  ASSERT_EQ(client_.next()->type, MessageType::Reply);
+  raise(other_, "ball", 5);
+  EXPECT_EQ(other_.next()->type, MessageType::Reply);
+  const auto question = client_.next();
+  ASSERT_TRUE(question);
+  EXPECT_EQ(question->address.action, 2U);  // what the module offers
+  answer(*question, describeModule());
+  const auto call = client_.next();
+  ASSERT_TRUE(call);
+  EXPECT_EQ(call->type, MessageType::Call);
+  EXPECT_EQ(wire::Decoder(call->payload).read("(sms)"), Value::tuple("(sms)", {"ball", 5, ""}));
+}
+
+TEST_F(AlMemoryWireTest, AModulesSubscriptionGoesWithItsClient) {
+  registerModule();
+  client_.call({id_, 1, 140}, Value::tuple({"ball", "Module", "onBall"}));
+  EXPECT_EQ(memory_.store().listenerCount("ball"), 1U);
+  client_.connection.reset();
+  EXPECT_EQ(memory_.store().listenerCount("ball"), 0U);
 }
 
 TEST_F(AlMemoryWireTest, AMissingKeyIsAnErrorWithTheKnownText) {
