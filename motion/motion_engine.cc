@@ -87,7 +87,7 @@ void MotionEngine::Impl::take(RequestId id, const SetAngles& request) {
   for (std::size_t i = 0; i < request.joints.size(); ++i) {
     const Joint joint = request.joints[i];
     const Actuator& actuator = model_->actuators[index(joint)];
-    if (walking_.active() && legs_.test(index(joint))) continue;  // the steps have the legs
+    if (walking_.ordered() && legs_.test(index(joint))) continue;  // the steps have the legs
     const double base = request.relative ? body_.angle[joint] : 0;
     schedule_.release(joint);
     setpoints_.set(joint, std::clamp(base + request.angles[i], actuator.lower, actuator.upper),
@@ -183,7 +183,9 @@ void MotionEngine::Impl::take(RequestId id, const KillAll& /*request*/) {
 void MotionEngine::Impl::walk(RequestId id, const WalkOrder& order) {
   if (!walking_.order(id, order)) return;
   setpoints_.clear(legs_);
-  schedule_.add({id, "move", legs_, walking_.phase(), false});
+  if (!schedule_.add({id, "move", legs_, walking_.phase(), false})) {
+    walking_.kill("too many motions wait for their joints");
+  }
 }
 
 void MotionEngine::Impl::addWholeBody(RequestId id, const char* name,

@@ -3,6 +3,21 @@
 #include <algorithm>
 
 namespace nao::motion {
+namespace {
+
+// Free: far more than a program plans ahead, so that lost clients can not fill the memory.
+constexpr std::size_t kMostWaiting = 1000;
+
+}  // namespace
+
+bool Schedule::add(Job job) {
+  if (waiting_.size() == kMostWaiting) {
+    end(job, MotionOutcome::Kind::Failed, "too many motions wait for their joints");
+    return false;
+  }
+  waiting_.push_back(std::move(job));
+  return true;
+}
 
 void Schedule::advance(double dt, Body& body) {
   startWaiting(body);

@@ -23,7 +23,8 @@ struct Job {
 /// and no job that waits longer books a joint of its own, so nobody is overtaken for ever.
 class Schedule {
  public:
-  void add(Job job) { waiting_.push_back(std::move(job)); }
+  /// One job more, to wait for its joints. When a thousand wait already it fails at once: false.
+  bool add(Job job);
 
   /// One cycle of `dt` [s]: starts what may start and moves what runs.
   void advance(double dt, Body& body);

@@ -42,11 +42,12 @@ class Walking::LegsPhase final : public Phase {
   }
 
   Progress advance(double dt, const JointSet& mine, Body& body) override {
-    if (walking_.state_ == State::Idle) return Progress::Done;
+    // Even a walk that was called off meanwhile ends in a pose the robot can stand in.
     if (to_start_ != nullptr) {
       if (to_start_->advance(dt, mine, body) == Progress::Running) return Progress::Running;
       to_start_.reset();
     }
+    if (walking_.state_ == State::Idle) return Progress::Done;
     if (walking_.state_ == State::Ordered) walking_.start(body);
     return walking_.state_ == State::Idle ? Progress::Done : Progress::Running;
   }

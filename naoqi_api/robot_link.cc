@@ -46,6 +46,7 @@ rpc::Pending<void> RobotLink::postAndWait(motion::MotionAction action) {
 
 rpc::Pending<void> RobotLink::until(std::function<bool(const motion::MotionState&)> condition) {
   Waiting waiting{last_posted_, std::move(condition), {}};
+  waiting.pending.onCancel([] {});  // then nobody waits, and nothing else is to be ended
   if (holds(waiting, ports_->state.get().get())) {
     waiting.pending.resolve();
   } else {
@@ -107,6 +108,7 @@ void RobotLink::deliverConditions() {
   before.swap(waiting_);
   std::vector<Waiting> fulfilled;
   for (Waiting& waiting : before) {
+    if (waiting.pending.isDone()) continue;  // canceled
     auto& next = holds(waiting, state.get()) ? fulfilled : waiting_;
     next.push_back(std::move(waiting));
   }

@@ -40,7 +40,7 @@ class RobotLink {
   rpc::Pending<void> postAndWait(motion::MotionAction action);
 
   /// Ends when `condition` holds for the robot's state and every request posted before this call
-  /// has been taken over: at once if so already.
+  /// has been taken over: at once if so already. Can be canceled.
   rpc::Pending<void> until(std::function<bool(const motion::MotionState&)> condition);
 
   /// What `read` returns once everything posted so far has been taken over, so that a client

@@ -214,6 +214,18 @@ TEST(MotionEngine, EveryRequestGetsExactlyOneOutcome) {
   for (std::size_t i = 0; i < ids.size(); ++i) EXPECT_EQ(ids[i], i + 1);
 }
 
+TEST(MotionEngine, AThousandMotionsMayWaitAndNoMore) {
+  EngineBench bench;
+  bench.stiffen();
+  bench.post(interpolateTo(bench.joint("HeadYaw"), 1, 100));
+  bench.cycle();
+  for (int i = 0; i < 1000; ++i) bench.post(interpolateTo(bench.joint("HeadYaw"), 0, 1));
+  const RequestId one_too_many = bench.post(interpolateTo(bench.joint("HeadYaw"), 0, 1));
+  bench.cycle();
+  EXPECT_EQ(bench.outcomes.back().id, one_too_many);
+  EXPECT_EQ(bench.outcomes.back().kind, Kind::Failed);
+}
+
 TEST(MotionEngine, CommandsStayWithinTheJointsRange) {
   EngineBench bench;
   bench.stiffen();

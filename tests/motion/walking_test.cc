@@ -133,6 +133,7 @@ TEST_F(WalkingTest, AStopBeforeTheFirstStepLeavesTheRobotStanding) {
   bench.run(0.2);
   bench.post(StopMove{});
   bench.run(2);
+  EXPECT_NEAR(bench.command("LKneePitch"), 0.7, 1e-9);  // not half way up
   EXPECT_EQ(bench.findOutcome(walk)->kind, Kind::Killed);
   EXPECT_TRUE(bench.gait->calls.empty());
 }

@@ -108,6 +108,21 @@ TEST(RobotLink, WaitsForAState) {
   EXPECT_TRUE(later.isDone());
 }
 
+TEST(RobotLink, AWaitThatIsCanceledIsForgotten) {
+  RobotBench bench;
+  bench.cycle();
+  int asked = 0;
+  const auto wait = bench.link.until([&](const motion::MotionState& /*state*/) {
+    ++asked;
+    return false;
+  });
+  bench.cycle();
+  EXPECT_EQ(asked, 2);
+  wait.cancel();
+  bench.run(0.1);
+  EXPECT_EQ(asked, 2);
+}
+
 TEST(RobotLink, TimersFireInOrderOfSimulatedTime) {
   RobotBench bench;
   bench.cycle();
