@@ -142,7 +142,8 @@ bool FootstepPlan::append() {
   step.start = end();
   step.double_support = ticks(tuning_.double_support_share * period * tick_seconds_);
   step.shift = step.double_support;
-  step.single_support = period - step.double_support;
+  const double way = std::hypot(step.to.x - step.from.x, step.to.y - step.from.y);  // [m]
+  step.single_support = std::max(period - step.double_support, ticks(way / tuning_.swing_speed));
   if (steps_.empty()) step.double_support = ticks(tuning_.start_double_support);
   step.height = goal_.config.step_height;
   step.zmp_from = steps_.empty() ? stand_zmp_ : steps_.back().zmp_to;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "walk_engine/balance.h"
 #include "walk_engine/footstep_plan.h"
 #include "walk_engine/preview_control.h"
 #include "walk_engine/servo_lead.h"
@@ -63,12 +64,13 @@ class ZmpGait final : public motion::Gait {
   void begin(const JointCommand& command);
   void planRise(const JointArray<double>& now, const JointArray<double>& walking);
   void rise(JointArray<double>& angle);
-  void walk(JointCommand& command);
+  void walk(const SensorFrame& measured, JointCommand& command);
   StanceDemand calcDemand() const;
   void pose(JointArray<double>& angle, bool resting);
   Eigen::Vector2d calcSwingAcceleration(std::int64_t tick) const;
   void moveCom();
   void swingArms(JointCommand& command);
+  std::array<bool, 2> standing() const;
   Pose2 placeOf(Foot foot) const;
 
   std::shared_ptr<const RobotModel> model_;
@@ -76,6 +78,7 @@ class ZmpGait final : public motion::Gait {
   double dt_;  // [s] of a tick
   StanceSolver stance_;
   ServoLead servo_lead_;
+  Balance balance_;
   double com_height_;  // [m]
   PreviewControl preview_;
   FootstepPlan plan_;
@@ -98,6 +101,7 @@ ZmpGait::ZmpGait(std::shared_ptr<const RobotModel> model, const Tuning& tuning)
       dt_(toSeconds(model_->cycle)),
       stance_(model_),
       servo_lead_(model_),
+      balance_(*model_, tuning),
       com_height_(
           stance_.calcComHeight(tuning.knee_bend, tuning.torso_pitch, standingAngles(*model_))),
       preview_(com_height_, kGravity, dt_, static_cast<int>(std::lround(tuning.preview / dt_))),
@@ -146,7 +150,7 @@ void ZmpGait::pursue(const Goal& goal) {
 void ZmpGait::update(const SensorFrame& measured, JointCommand& command) {
   now_ = measured.time;
   if (phase_ == Phase::Requested) begin(command);
-  if (phase_ != Phase::Idle) walk(command);
+  if (phase_ != Phase::Idle) walk(measured, command);
 }
 
 // The feet stay where the commanded angles have them; the legs will move into the pose that holds
@@ -192,7 +196,7 @@ void ZmpGait::rise(JointArray<double>& angle) {
   for (std::size_t i = 0; i < angle.size(); ++i) angle[i] += rest * rise_.offset[i];
 }
 
-void ZmpGait::walk(JointCommand& command) {
+void ZmpGait::walk(const SensorFrame& measured, JointCommand& command) {
   ++tick_;
   if (phase_ == Phase::Rising && rise_.left() * dt_ <= kOverlap) {
     phase_ = Phase::Walking;
@@ -203,6 +207,7 @@ void ZmpGait::walk(JointCommand& command) {
   swingArms(command);
   pose(command.angle, false);
   rise(command.angle);
+  balance_.apply(measured.gyroscope, standing(), command.angle);
   position_ = robotPlace({placeOf(Foot::Left), placeOf(Foot::Right)});
   const bool calm = std::hypot(com_x_.velocity, com_y_.velocity) < kAtRest;
   if (plan_.atRest(tick_) && calm && rise_.left() == 0) phase_ = Phase::Idle;
@@ -252,11 +257,15 @@ StanceDemand ZmpGait::calcDemand() const {
 // Leg commands for the present demand.
 void ZmpGait::pose(JointArray<double>& angle, bool resting) {
   stance_.solve(calcDemand(), angle);
+  servo_lead_.plan(angle, stance_.body(), stance_.torso(), standing(), resting);
+  servo_lead_.apply(angle);
+}
+
+std::array<bool, 2> ZmpGait::standing() const {
   std::array<bool, 2> stands{true, true};
   const PlannedStep* step = plan_.current();
   if (step && tick_ > step->lift()) stands[index(step->swing)] = false;
-  servo_lead_.plan(angle, stance_.body(), stance_.torso(), stands, resting);
-  servo_lead_.apply(angle);
+  return stands;
 }
 
 // The sole's place on the floor now, swinging or not.
