@@ -29,6 +29,8 @@ class Pending {
   using Stored = std::conditional_t<std::is_void_v<T>, std::monostate, T>;
   using Done = std::function<void(const Outcome<Stored>&)>;
 
+  Pending() = default;
+
   /// Ends the call with its value; Pending<void>: resolve(). Later ends are ignored.
   void resolve(Stored value = {}) const { end({std::move(value), {}}); }
 
@@ -62,6 +64,13 @@ class Pending {
   /// Ends the call as canceled, whether or not it can be stopped.
   void cancelNow() const { end({}); }
 
+  /// cancel() as a function that does not keep the result alive.
+  std::function<void()> canceler() const {
+    return [weak = std::weak_ptr<State>(state_)] {
+      if (auto state = weak.lock()) Pending(std::move(state)).cancel();
+    };
+  }
+
   bool canBeCanceled() const { return static_cast<bool>(state_->stop); }
   bool isDone() const { return state_->outcome.has_value(); }
   const std::optional<Outcome<Stored>>& outcome() const { return state_->outcome; }
@@ -72,6 +81,8 @@ class Pending {
     std::vector<Done> done;
     std::function<void()> stop;
   };
+
+  explicit Pending(std::shared_ptr<State> state) : state_(std::move(state)) {}
 
   void end(Outcome<Stored> outcome) const {
     if (state_->outcome) return;

@@ -46,7 +46,9 @@ class Demo {
 
  private:
   std::string say(const std::string& text) { return "hello " + text; }
-  int addInts(int a, int b) { return a + b; }
+  int addInts(int a, int b) {  // wraps around: any bytes may come
+    return static_cast<int>(static_cast<unsigned>(a) + static_cast<unsigned>(b));
+  }
   float addFloats(float a, float b) { return a + b; }
   void nothing() { ++calls_of_nothing; }
   Value echo(const Value& value) { return value; }

@@ -72,6 +72,22 @@ TEST(Service, APendingCallCanBeCanceled) {
   EXPECT_TRUE(call.outcome()->isCanceled());
 }
 
+TEST(Service, ACallThatItsServiceDropsIsHeldByNobody) {
+  const auto held = std::make_shared<int>(0);
+  const std::function<Pending<int>()> forget = [held] {
+    Pending<int> pending;
+    pending.onCancel([held] {});
+    return pending;
+  };
+  const auto before = held.use_count();
+  {
+    Service service("S", "");
+    service.method("forget", forget, "");
+    service.call("forget", {});
+  }
+  EXPECT_EQ(held.use_count(), before);
+}
+
 TEST(Service, TellsTheCallerToWhoAsks) {
   const std::function<std::string(const Caller&, int)> who = [](const Caller& caller, int number) {
     return caller.service->name() + std::to_string(number);
