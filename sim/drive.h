@@ -11,8 +11,9 @@ namespace nao::sim {
 /// The ideal motors of a robot, linearly implicit in the joint's angle and rate:
 ///   torque = kp (command - angle) - kd rate,   |torque| <= stiffness * efficiency * stall *
 ///                                              (1 - |rate| / no-load speed while driving)
-/// Stiffness scales the torque limit, not the gains. At stiffness 0 a motor brakes like a shorted
-/// one, torque = -(stall / no-load speed) rate; below 0 it is free. Deviations are effects.
+/// Stiffness scales the torque limit, not the gains. At stiffness 0 or below a motor only holds
+/// still, with 5 % of its stall torque; once moved, at stiffness 0, it also brakes like a shorted
+/// one, torque = -(stall / no-load speed) rate. Deviations are effects.
 class Drive {
  public:
   Drive(const RobotModel& model, int root_speeds);
@@ -42,6 +43,7 @@ class Drive {
     double change = 0;  // [N m s/rad] its fall per unit of change of rate
     bool saturated = false;
   };
+  static void prepareLimp(const Actuator& actuator, bool open, double u, Motor& motor);
   void prepareMotor(std::size_t joint, const JointCommand& command, double q, double u, double h);
 
   const RobotModel& model_;

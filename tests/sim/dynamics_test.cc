@@ -72,7 +72,7 @@ TEST_P(NaoDynamics, BodyVelocitiesAreTheirPosesRatesOfChange) {
 TEST_P(NaoDynamics, FreeAccelerationIsSimbodys) {
   auto model = std::make_shared<RobotModel>(*test::robot(GetParam()));
   for (Actuator& actuator : model->actuators) {  // bare tree: no rotors, no motors, no ties
-    actuator.rotor_inertia = 0;
+    actuator.rotor_inertia = actuator.stall_torque = 0;
     if (actuator.coordinates.size() == 2) actuator.coordinates.pop_back();
   }
   for (Coordinate& coordinate : model->coordinates) coordinate.lower = -(coordinate.upper = 1e3);
@@ -103,6 +103,7 @@ TEST(Pendulum, SwingsWithItsPeriod) {
   // Small swings about hanging down: T = 2 pi sqrt(I / (m g l)). The step of 0.1 ms is implicit
   // Euler only in stiff terms; a free pendulum is integrated to first order, hence 0.1 %.
   const auto model = test::pendulum(0.5, 0.2);
+  model->actuators[0].stall_torque = 0;  // no motor at all
   RobotBody body(model, *test::flatWorld());
   RobotBody::State state = body.state();
   state.tree.q[0] = M_PI / 2 - 0.05;  // rod along +x at 0; +y turns it down
@@ -146,6 +147,19 @@ TEST(Servo, GivesNoMoreThanStiffnessAllows) {
       EXPECT_LE(std::abs(body.torque()[0]), stiffness * 0.7 * 8 + 1e-12);
     }
     EXPECT_EQ(body.angle(toJoint(0)) < 0.05, stiffness > 0.2) << stiffness;
+  }
+}
+
+TEST(Servo, HoldsWithoutCurrentOnlyWhatItsGearHolds) {
+  for (const double mass : {0.15, 0.25}) {  // 0.29 and 0.49 N m; 5 % of 8 N m is 0.4
+    RobotBody body(test::pendulum(mass, 0.2), *test::flatWorld());
+    const JointCommand off{JointArray<double>(1), JointArray<double>(1, 0.0)};
+    for (int k = 0; k < 500; ++k) body.step(off, {}, 2e-3);
+    if (mass < 0.2) {
+      EXPECT_NEAR(body.angle(toJoint(0)), 0, 1e-6);
+    } else {
+      EXPECT_GT(body.angle(toJoint(0)), 0.05);
+    }
   }
 }
 

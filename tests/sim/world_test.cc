@@ -75,6 +75,17 @@ INSTANTIATE_TEST_SUITE_P(Postures, StandingNao,
                                           testing::Values("Stand", "StandInit", "StandZero",
                                                           "Crouch")));
 
+TEST(World, LimpNaoStaysInCrouch) {  // as a real one does when it is switched off
+  for (const char* name : {"nao_h21_v33", "nao_h25_v50"}) {
+    World world = worldWith(test::robot(name));
+    run(world, 1000ms);
+    const Vec3 before = torso(world);
+    run(world, 20000ms);
+    EXPECT_LT((torso(world) - before).norm(), 1e-3) << name;
+    EXPECT_GT(torso(world).z(), 0.2) << name;
+  }
+}
+
 TEST(World, LimpNaoCollapsesAndLiesOnTheFloor) {
   const auto model = test::robot("nao_h21_v33");
   World world = worldWith(model);
