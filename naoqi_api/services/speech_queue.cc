@@ -25,6 +25,11 @@ SpeechQueue::SpeechQueue(memory::MemoryStore& memory, rpc::CallLater call_later,
   }
 }
 
+SpeechQueue::~SpeechQueue() {
+  alive_.reset();
+  for (const Task& task : std::exchange(tasks_, {})) task.done.cancelNow();
+}
+
 rpc::Pending<void> SpeechQueue::add(const std::string& text, double speed) {
   if (text.size() > kLongestText) {
     throw rpc::CallError("the text is too long: at most " + std::to_string(kLongestText) +

@@ -24,6 +24,9 @@ class SpeechQueue {
   /// @param call_later in simulated time
   /// @param speak is told each text when it begins
   SpeechQueue(memory::MemoryStore& memory, rpc::CallLater call_later, Speak speak);
+  SpeechQueue(const SpeechQueue&) = delete;
+  SpeechQueue& operator=(const SpeechQueue&) = delete;
+  ~SpeechQueue();  // what was not said counts as canceled
 
   /// Ends when the text has been said or stopped. `speed`: 1 is normal. @throws CallError if the
   /// text is too long or too many wait.

@@ -153,9 +153,12 @@ TEST_F(AlTextToSpeechTest, AListenerMayStopTheTextItHearsOf) {
   EXPECT_TRUE(next.isDone());
 }
 
-TEST_F(AlTextToSpeechTest, TimersOfAServiceThatIsGoneDoNothing) {
-  start("say", {kTwoWords});
+TEST_F(AlTextToSpeechTest, AServiceThatIsGoneHasEndedItsCallsAndSaysNoMore) {
+  const auto saying = start("say", {kTwoWords});
+  const auto waiting = start("say", {"second"});
   speech_.reset();
+  EXPECT_TRUE(saying.outcome()->isCanceled());
+  EXPECT_TRUE(waiting.outcome()->isCanceled());
   clock_.advance(seconds(10));
   EXPECT_THAT(said_, ElementsAre(kTwoWords));
 }
