@@ -40,7 +40,7 @@ rpc::Pending<void> RobotLink::postAndWait(motion::MotionAction action) {
     }
     done.resolve();
   });
-  done.onCancel([motion] { motion.cancel(); });
+  done.onCancel(motion.canceler());
   return done;
 }
 

@@ -169,7 +169,7 @@ rpc::Pending<void> AlMotionAngles::moveHand(const std::string& hand, double open
     }
     outcome.isCanceled() ? done.cancelNow() : done.resolve();
   });
-  done.onCancel([moved] { moved.cancel(); });
+  done.onCancel(moved.canceler());
   return done;
 }
 

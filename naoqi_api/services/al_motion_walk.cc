@@ -116,7 +116,7 @@ void AlMotionWalk::walkOn(const std::vector<Pose2>& path, std::size_t next,
   const Pose2 from = next == 0 ? Pose2{} : path[next - 1];
   const auto stretch =
       link_.outcomeOf(link_.post(motion::MoveTo{relativeTo(from, path[next]), {}, config}));
-  done.onCancel([stretch] { stretch.cancel(); });
+  done.onCancel(stretch.canceler());
   stretch.whenDone([this, path, next, config, done](const auto& outcome) {
     using Kind = motion::MotionOutcome::Kind;
     if (outcome.isCanceled()) return done.cancelNow();

@@ -77,7 +77,7 @@ void AlRobotPosture::attempt(const motion::GoToPosture& request, int tries_left,
                              const rpc::Pending<bool>& done) {
   under_way_ = link_.post(request);
   const auto outcome = link_.outcomeOf(under_way_);
-  done.onCancel([outcome] { outcome.cancel(); });
+  done.onCancel(outcome.canceler());
   outcome.whenDone([this, request, tries_left, done](const auto& ended) {
     using Kind = motion::MotionOutcome::Kind;
     if (ended.isCanceled()) return done.cancelNow();
