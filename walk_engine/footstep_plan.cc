@@ -131,9 +131,12 @@ std::int64_t FootstepPlan::end() const {
 bool FootstepPlan::append() {
   const FeetPlaces feet = lastFeet();
   const Foot swing = steps_.empty() ? chooseFirstFoot(goal_, feet) : otherFoot(steps_.back().swing);
-  const std::optional<Pose2> place = calcNextPlace(goal_, feet, swing);
-  if (!place) return false;
   const Foot support = otherFoot(swing);
+  FeetPlaces base = feet;
+  // Before the first step the feet may be splayed: the way ahead is R's, not the support's.
+  if (steps_.empty()) base[index(support)].theta = robotPlace(feet).theta;
+  const std::optional<Pose2> place = calcNextPlace(goal_, base, swing);
+  if (!place) return false;
   const int period = ticks(calcStepPeriod(goal_.config));
   PlannedStep step;
   step.swing = swing;

@@ -69,6 +69,7 @@ class ZmpGait final : public motion::Gait {
   void pose(JointArray<double>& angle, bool resting);
   Eigen::Vector2d calcSwingAcceleration(std::int64_t tick) const;
   void moveCom();
+  void limitSpeed(const JointArray<double>& last, JointArray<double>& angle) const;
   void swingArms(JointCommand& command);
   std::array<bool, 2> standing() const;
   Pose2 placeOf(Foot foot) const;
@@ -204,13 +205,25 @@ void ZmpGait::walk(const SensorFrame& measured, JointCommand& command) {
   }
   plan_.advance(tick_, tick_ + preview_.samples() + 1);
   moveCom();
+  const JointArray<double> last = command.angle;
   swingArms(command);
   pose(command.angle, false);
   rise(command.angle);
   balance_.apply(measured.gyroscope, standing(), command.angle);
+  limitSpeed(last, command.angle);
   position_ = robotPlace({placeOf(Foot::Left), placeOf(Foot::Right)});
   const bool calm = std::hypot(com_x_.velocity, com_y_.velocity) < kAtRest;
   if (plan_.atRest(tick_) && calm && rise_.left() == 0) phase_ = Phase::Idle;
+}
+
+// No command runs ahead of what the joint could follow.
+void ZmpGait::limitSpeed(const JointArray<double>& last, JointArray<double>& angle) const {
+  for (std::size_t i = 0; i < angle.size(); ++i) {
+    const Actuator& motor = model_->actuators[i];
+    const double most = motor.max_velocity * dt_;
+    if (most > 0) angle[i] = std::clamp(angle[i], last[i] - most, last[i] + most);
+    angle[i] = std::clamp(angle[i], motor.lower, motor.upper);
+  }
 }
 
 // Of the swinging sole along the floor [m/s^2].

@@ -1,0 +1,91 @@
+#include "walk_engine/step_rules.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/random.h"
+
+namespace nao::walk {
+namespace {
+
+using motion::GaitConfig;
+
+constexpr double kRounding = 1e-12;
+
+TEST(StepRules, WalkForwardAtThePublishedSpeed) {
+  const GaitConfig config;
+  const double speed = calcPairReach({1, 0, 0}, config).x / (2 * calcStepPeriod(config));
+  EXPECT_NEAR(speed, 0.0952, 0.00005);  // [m/s] published with two digits after the comma of cm
+}
+
+TEST(StepRules, SideStepAtThePublishedSpeed) {
+  const GaitConfig config;
+  const double speed = calcPairReach({0, 1, 0}, config).y / (2 * calcStepPeriod(config));
+  EXPECT_NEAR(speed, (0.14 - 0.088) / 0.84, kRounding);  // [m/s]
+}
+
+TEST(StepRules, StepSlowerAtLowerFrequency) {
+  GaitConfig config;
+  EXPECT_NEAR(calcStepPeriod(config), 0.42, kRounding);
+  config.max_step_frequency = 0;
+  EXPECT_NEAR(calcStepPeriod(config), 0.6, kRounding);
+}
+
+TEST(StepRules, KeepTheFeetApartAndOffEachOtherWhateverIsAsked) {
+  const GaitConfig config;
+  Random random(3);
+  for (int i = 0; i < 2000; ++i) {
+    const Foot foot = i % 2 == 0 ? Foot::Left : Foot::Right;
+    const Pose2 wish{random.uniform(-0.2, 0.2), random.uniform(-0.3, 0.3), random.uniform(-1, 1)};
+    const Pose2 step = clipStep(wish, foot, config);
+    ASSERT_GE(sideOf(foot) * step.y, kMinFootSeparation - kRounding);
+    ASSERT_LE(sideOf(foot) * step.y, config.max_step_y + kRounding);
+    ASSERT_LE(std::abs(step.x), config.max_step_x + kRounding);
+    ASSERT_LE(std::abs(step.theta), config.max_step_theta + kRounding);
+    ASSERT_FALSE(feetCollide(step, foot));
+  }
+}
+
+TEST(StepRules, LeaveAStepAloneThatIsAllowed) {
+  const GaitConfig config;
+  const Pose2 step = clipStep({0.02, 0.11, 0.1}, Foot::Left, config);
+  EXPECT_DOUBLE_EQ(step.x, 0.02);
+  EXPECT_DOUBLE_EQ(step.y, 0.11);
+  EXPECT_DOUBLE_EQ(step.theta, 0.1);
+}
+
+TEST(StepRules, TurnToesOutFullyAndToesInOnlyUntilTheBoxesMeet) {
+  const GaitConfig config;
+  EXPECT_DOUBLE_EQ(calcStep({0, 0, 1}, Foot::Left, config).theta, config.max_step_theta);
+  const double toe_in = -calcStep({0, 0, -1}, Foot::Left, config).theta;
+  EXPECT_LT(toe_in, config.max_step_theta);
+  EXPECT_TRUE(feetCollide({0, kFootSeparation, -toe_in - 1e-6}, Foot::Left));
+}
+
+TEST(StepRules, ClipLongAndWideStepsToTheEllipse) {
+  const GaitConfig config;
+  const Pose2 step = clipStep({0.04, 0.14, 0}, Foot::Left, config);
+  const double along = step.x / config.max_step_x;
+  const double across = (step.y - kFootSeparation) / (config.max_step_y - kFootSeparation);
+  EXPECT_NEAR(std::hypot(along, across), 1, kRounding);
+}
+
+TEST(StepRules, AreMirrorImagesForTheOtherFoot) {
+  const GaitConfig config;
+  const Pose2 left = calcStep({0.5, 0.7, -0.9}, Foot::Left, config);
+  const Pose2 right = calcStep({0.5, -0.7, 0.9}, Foot::Right, config);
+  EXPECT_NEAR(left.x, right.x, kRounding);
+  EXPECT_NEAR(left.y, -right.y, kRounding);
+  EXPECT_NEAR(left.theta, -right.theta, 1e-9);  // found by bisection
+}
+
+TEST(StepRules, TurnAVelocityIntoStepsOfThatVelocity) {
+  const GaitConfig config;
+  const StepFractions fractions = fractionsFor({0.05, 0, 0}, config);
+  const double pair = calcStep(fractions, Foot::Left, config).x * 2;
+  EXPECT_NEAR(pair / (2 * calcStepPeriod(config)), 0.05, kRounding);
+}
+
+}  // namespace
+}  // namespace nao::walk

@@ -1,0 +1,155 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/walk_engine/trial.h"
+
+// Walks in physics at 2 ms steps. Bands: commanded and true way may differ by 5 % of the way plus
+// 1 cm, the bar the project sets itself for odometry; heading by 3 degrees; the torso may lean by
+// 5 degrees, far from any fall (about 15). One walk is deterministic, so a broken gait shows here,
+// not an unlucky one.
+namespace nao::walk {
+namespace {
+
+using motion::GaitConfig;
+using test::Trial;
+
+constexpr double kDegree = M_PI / 180;
+
+void expectTrue(const Trial& trial, const std::string& what) {
+  const Pose2 odometry = trial.odometry();
+  const Pose2 off = relativeTo(odometry, trial.truth());
+  const double way = std::hypot(odometry.x, odometry.y);
+  SCOPED_TRACE(what + ": " + trial.summary());
+  EXPECT_LT(trial.maxTilt(), 5 * kDegree);
+  EXPECT_LT(std::hypot(off.x, off.y), 0.05 * way + 0.01);
+  EXPECT_LT(std::abs(off.theta), 3 * kDegree);
+  std::printf("  %-28s %s\n", what.c_str(), trial.summary().c_str());
+}
+
+class WalkPhysics : public testing::TestWithParam<const char*> {};
+
+TEST_P(WalkPhysics, GoesAldebaransDistanceInTwelveSteps) {
+  // "5 s" from standing to standing is twelve steps of 0.42 s: 0.48 m +- 5 %.
+  Trial trial(GetParam());
+  trial.gait().walkTo({0.48, 0, 0}, GaitConfig());
+  trial.settle(0.6);
+  trial.runToEnd();
+  expectTrue(trial, "0.48 m ahead");
+  EXPECT_NEAR(trial.truth().x, 0.48, 0.05 * 0.48);
+  EXPECT_NEAR(trial.truth().y, 0, 0.03);
+}
+
+TEST_P(WalkPhysics, GoesEveryWayAtFullSpeedForFiveSeconds) {
+  struct Way {
+    const char* name;
+    double x, y, theta;
+  };
+  for (const Way& way :
+       {Way{"forward", 1, 0, 0}, Way{"backward", -1, 0, 0}, Way{"left", 0, 1, 0},
+        Way{"right", 0, -1, 0}, Way{"turn left", 0, 0, 1}, Way{"turn right", 0, 0, -1},
+        Way{"arc", 1, 0, 0.5}, Way{"all at once", 0.7, -0.7, -0.3}}) {
+    Trial trial(GetParam());
+    trial.gait().walkToward(way.x, way.y, way.theta, GaitConfig());
+    trial.settle(0.6);
+    trial.run(4.4);
+    trial.gait().stop();
+    trial.runToEnd();
+    expectTrue(trial, way.name);
+    EXPECT_FALSE(trial.gait().active());
+  }
+}
+
+TEST_P(WalkPhysics, TurnsAsFarAsPlannedBothWays) {
+  for (const double side : {1.0, -1.0}) {
+    Trial trial(GetParam());
+    trial.gait().walkTo({0, 0, side * 170 * kDegree}, GaitConfig());
+    trial.settle(0.6);
+    trial.runToEnd();
+    expectTrue(trial, "turn by 170 degrees");
+    EXPECT_NEAR(trial.truth().theta, side * 170 * kDegree, 0.05 * 170 * kDegree);
+  }
+}
+
+TEST_P(WalkPhysics, ArrivesWhereMoveToSays) {
+  for (const Pose2& target : {Pose2{0.5, 0, 0}, Pose2{0.3, 0.2, 0.5}, Pose2{-0.2, -0.2, -1}}) {
+    Trial trial(GetParam());
+    trial.gait().walkTo(target, GaitConfig());
+    trial.settle(0.6);
+    trial.runToEnd();
+    expectTrue(trial, "moveTo");
+    EXPECT_NEAR(trial.odometry().x, target.x, 1e-6);
+    EXPECT_NEAR(trial.odometry().y, target.y, 1e-6);
+  }
+}
+
+TEST_P(WalkPhysics, StartsFromAnyStandingPosture) {
+  for (const char* posture : {"StandInit", "Stand", "StandZero", "Crouch"}) {
+    Trial trial(GetParam(), posture);
+    trial.gait().walkToward(1, 0, 0, GaitConfig());
+    trial.settle(1.5);
+    trial.run(4);
+    trial.gait().stop();
+    trial.runToEnd();
+    expectTrue(trial, std::string("from ") + posture);
+  }
+}
+
+TEST_P(WalkPhysics, StandsAfterAStopInAnyPhaseOfAStep) {
+  for (int phase = 0; phase < 12; ++phase) {
+    Trial trial(GetParam());
+    trial.gait().walkToward(1, 0.5, -0.5, GaitConfig());
+    trial.settle(0.6);
+    trial.run(2 + 0.07 * phase);  // twelve of them: a left and a right step
+    trial.gait().stop();
+    trial.runToEnd();
+    ASSERT_FALSE(trial.gait().active());
+    ASSERT_LT(trial.maxTilt(), 5 * kDegree) << phase;
+  }
+}
+
+TEST_P(WalkPhysics, WalksAtEveryFrequencyAndOnSlipperyGround) {
+  for (const double frequency : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    for (const double friction : {0.3, 1.0}) {
+      WorldModel world;
+      world.ground.friction = friction;
+      GaitConfig config;
+      config.max_step_frequency = frequency;
+      Trial trial(GetParam(), "StandInit", {}, world);
+      trial.gait().walkToward(0.7, 0.5, 0.5, config);
+      trial.settle(0.6);
+      trial.run(5);
+      ASSERT_LT(trial.maxTilt(), 5 * kDegree) << frequency << ' ' << friction;
+    }
+  }
+}
+
+TEST_P(WalkPhysics, WalksWithStepsTwiceAsLong) {
+  GaitConfig config;
+  config.max_step_x = 0.08;
+  Trial trial(GetParam());
+  trial.gait().walkToward(1, 0, 0, config);
+  trial.settle(0.6);
+  trial.run(10);
+  expectTrue(trial, "0.08 m steps");
+  EXPECT_GT(trial.truth().x, 0.95 * 0.19 * 9.5);  // 19 cm/s less the start
+}
+
+TEST_P(WalkPhysics, StandsAPushWhileWalking) {
+  for (const double angle : {0.0, 90.0, 180.0, 270.0}) {
+    for (int phase = 0; phase < 6; ++phase) {
+      Trial trial(GetParam());
+      trial.gait().walkToward(1, 0, 0, GaitConfig());
+      trial.run(2 + 0.14 * phase);
+      const Vec3 force(4 * std::cos(angle * kDegree), 4 * std::sin(angle * kDegree), 0);  // [N]
+      trial.world().push(0, force, fromSeconds(0.3));
+      trial.run(3);
+      ASSERT_FALSE(trial.fallen()) << angle << ' ' << phase;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, WalkPhysics, testing::Values("nao_h21_v33", "nao_h25_v50"));
+
+}  // namespace
+}  // namespace nao::walk
