@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/check.h"
+#include "core/overloaded.h"
 
 namespace nao::daemon {
 namespace {
@@ -12,13 +13,6 @@ namespace {
 using std::chrono_literals::operator""ms;
 
 constexpr Duration kCycle = 10ms;  // how much is simulated between two looks at requests
-
-template <class... F>
-struct Overloaded : F... {
-  using F::operator()...;
-};
-template <class... F>
-Overloaded(F...) -> Overloaded<F...>;
 
 }  // namespace
 

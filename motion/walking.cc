@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/overloaded.h"
 #include "motion/phases.h"
 #include "motion/postures.h"
 
@@ -16,13 +17,6 @@ constexpr double kSoftLegs = 0.6;
 constexpr double kArmSpeed = 2.0;  // [rad/s]
 
 const char* const kWalkPosture = "StandInit";
-
-template <class... F>
-struct Overloaded : F... {
-  using F::operator()...;
-};
-template <class... F>
-Overloaded(F...) -> Overloaded<F...>;
 
 }  // namespace
 

@@ -1,16 +1,10 @@
 #include "runtime/simulation.h"
 
 #include "core/check.h"
+#include "core/overloaded.h"
 
 namespace nao::runtime {
 namespace {
-
-template <class... F>
-struct Overloaded : F... {
-  using F::operator()...;
-};
-template <class... F>
-Overloaded(F...) -> Overloaded<F...>;
 
 void checkIndex(std::size_t index, std::size_t count, const char* what) {
   if (index < count) return;
