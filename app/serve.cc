@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/source_paths.h"
 #include "daemon/daemon.h"
+#include "daemon/descriptor_limit.h"
 
 namespace nao::app {
 namespace {
@@ -33,6 +34,7 @@ void serve(Arguments& arguments) {
   options.world = findSourceFile(options.world);
   options.robots_dir = findSourceFile(options.robots_dir);
 
+  daemon::raiseDescriptorLimit();
   daemon::Daemon daemon(options);
   daemon.stopOnSignals();
   daemon.run([&] { printReady(daemon, options.listen); });

@@ -55,10 +55,9 @@ Daemon::Daemon(const Options& options)
         loop_.wake();
         scheduleDelivery();
       }) {
-  const auto tasks = std::make_shared<rpc::Tasks>();
   for (std::size_t i = 0; i < simulation_.robotCount(); ++i) {
     hosts_.push_back(
-        std::make_unique<RobotHost>(HostContext{io_, loop_, simulation_, options_, tasks}, i));
+        std::make_unique<RobotHost>(HostContext{io_, loop_, simulation_, options_}, i));
     cameras_.add(hosts_.back()->pictures());
     simulation_.showTo(hosts_.back()->pictures(), i);
   }

@@ -47,7 +47,6 @@ rpc::HubOptions RobotHost::hubOptions(const HostContext& context) {
   options.process_id = static_cast<std::uint32_t>(::getpid());
   options.call_later = callLater();
   options.clock = [this] { return naoqiTime(); };
-  options.tasks = context.tasks;
   return options;
 }
 

@@ -28,7 +28,6 @@ struct HostContext {
   RobotLoop& loop;
   runtime::Simulation& simulation;
   const Options& options;
-  std::shared_ptr<rpc::Tasks> tasks;
 };
 
 /// One robot as its clients see it: its services, their directory and the port it listens on.

@@ -1,5 +1,7 @@
 #include "daemon/robot_loop.h"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -12,6 +14,7 @@ namespace {
 
 using std::chrono_literals::operator""ms;
 
+constexpr char kDiverged[] = "the physics diverged; reset the world first";
 constexpr Duration kCycle = 10ms;  // how much is simulated between two looks at requests
 
 }  // namespace
@@ -76,15 +79,23 @@ bool RobotLoop::mayAdvance() {
 void RobotLoop::advance() {
   if (paused_) {
     const std::int64_t steps = std::min<std::int64_t>(steps_left_, kCycle / simulation_.stepSize());
-    simulation_.advanceTo(simulation_.now() + steps * simulation_.stepSize());
-    steps_left_ -= steps;
-    if (steps_left_ == 0) finish(step_request_);
+    advanceBy(steps * simulation_.stepSize());
+    const bool healthy = simulation_.world().healthy();
+    steps_left_ = healthy ? steps_left_ - steps : 0;
+    if (steps_left_ == 0) finish(step_request_, healthy ? "" : kDiverged);
     return;
   }
   const auto wall = std::chrono::steady_clock::now();
   const auto due = pace_.due(simulation_.now(), wall);
   if (due > wall) waitUntil(due);
-  if (due <= std::chrono::steady_clock::now()) simulation_.advanceTo(simulation_.now() + kCycle);
+  if (due <= std::chrono::steady_clock::now()) advanceBy(kCycle);
+}
+
+void RobotLoop::advanceBy(Duration duration) {
+  simulation_.advanceTo(simulation_.now() + duration);
+  if (simulation_.world().healthy()) return;
+  spdlog::error("the physics diverged at {} s: time stands until UsarSim.reset",
+                toSeconds(simulation_.now()));
 }
 
 void RobotLoop::waitUntil(Pace::Wall wall) {
@@ -115,6 +126,7 @@ void RobotLoop::handle(const LoopRequest& request) {
                           if (!paused_ || steps_left_ > 0) {
                             return finish(request.id, "the world must be paused to step it");
                           }
+                          if (!simulation_.world().healthy()) return finish(request.id, kDiverged);
                           steps_left_ = std::max<std::int64_t>(r.steps, 0);
                           step_request_ = request.id;
                           if (steps_left_ == 0) finish(request.id);

@@ -78,6 +78,7 @@ class RobotLoop {
   void finish(std::uint64_t id, std::string error = {});
   bool mayAdvance();
   void advance();
+  void advanceBy(Duration duration);
   void publish();
   void waitUntil(Pace::Wall wall);
 

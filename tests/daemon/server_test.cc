@@ -106,6 +106,19 @@ TEST_F(ServerTest, AClientThatDoesNotReadHarmsNobody) {
   expectWell();
 }
 
+TEST_F(ServerTest, AWaitForAPostedCallHasATimeOut) {
+  constexpr std::uint32_t kPost = 101;
+  constexpr std::uint32_t kWait = 108;
+  constexpr std::uint32_t kAngleInterpolation = 127;
+  TcpClient client(running_.port());
+  const std::uint32_t motion = client.service("ALMotion");
+  const Value endless = Value::list({"HeadYaw", 0.1F, 1e6F, true});
+  const auto posted = client.call({motion, 1, kPost}, Value::tuple({kAngleInterpolation, endless}));
+  const int task = client.answer(posted, "i").to<int>();
+  const auto waited = client.call({motion, 1, kWait}, Value::tuple({task, 500}));
+  EXPECT_EQ(client.answer(waited, "b"), Value(true));  // the time-out came first
+}
+
 TEST_F(ServerTest, MutatedFramesNeverStopIt) {
   Random random(5);
   for (int k = 0; k < 100; ++k) {
