@@ -45,13 +45,14 @@ void Session::received(const Error& error, std::size_t count) {
   if (mustCloseNow()) return close();
   if (connection_->wantsClose()) return;  // what was sent goes out first; see written()
   watchHalfMessage();
-  if (unsent_bytes_ <= kStopReading) read();
+  if (!connection_->isHeld()) read();
 }
 
 void Session::send(rpc::Bytes frame) {
   if (overflowed_ || !socket_.is_open()) return;
   unsent_bytes_ += frame.size();
   unsent_.push_back(std::move(frame));
+  if (unsent_bytes_ > kStopReading && connection_) connection_->hold();
   if (unsent_bytes_ > kGiveUp) {
     overflowed_ = true;  // the connection is on the stack: close it from the loop
     boost::asio::post(socket_.get_executor(), [self = shared_from_this()] { self->close(); });
@@ -74,8 +75,9 @@ void Session::written(const Error& error, std::size_t count) {
   unsent_.pop_front();
   unsent_bytes_ -= count;
   if (!unsent_.empty()) write();
+  if (connection_->isHeld() && unsent_bytes_ <= kStopReading) connection_->resume();
   if (mustCloseNow()) return close();
-  if (unsent_bytes_ <= kStopReading && !connection_->wantsClose()) read();
+  if (!connection_->isHeld() && !connection_->wantsClose()) read();
 }
 
 bool Session::mustCloseNow() const {

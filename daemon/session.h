@@ -13,8 +13,8 @@
 namespace nao::daemon {
 
 /// One client's socket: carries bytes to and from its QiConnection and keeps its limits. Above
-/// kStopReading unsent bytes it reads no more from that client, above kGiveUp it closes: replies
-/// and events are never dropped one by one. I/O thread.
+/// kStopReading unsent bytes it takes no more messages from that client, above kGiveUp (events and
+/// late answers pile up) it closes: replies and events are never dropped one by one. I/O thread.
 class Session : public std::enable_shared_from_this<Session> {
  public:
   static constexpr std::size_t kStopReading = 1U << 20U;

@@ -52,7 +52,18 @@ QiConnection::~QiConnection() {
 void QiConnection::receive(const std::uint8_t* bytes, std::size_t count) {
   if (wants_close_) return;
   reader_.push(bytes, count);
-  while (auto message = reader_.next()) {
+  takeAll();
+}
+
+void QiConnection::resume() {
+  if (!std::exchange(held_, false) || wants_close_) return;
+  takeAll();
+}
+
+void QiConnection::takeAll() {
+  while (!held_) {
+    const auto message = reader_.next();
+    if (!message) break;
     take(*message);
     if (wants_close_) return;
   }

@@ -31,6 +31,12 @@ class QiConnection {
   /// Bytes as they came, in pieces of any size; answers go out before it returns.
   void receive(const std::uint8_t* bytes, std::size_t count);
 
+  /// Leaves further messages where they are until resume(): what was sent has not gone out yet.
+  /// May be called while a message is being answered.
+  void hold() { held_ = true; }
+  void resume();
+  bool isHeld() const { return held_; }
+
   /// True once the client broke the protocol: close after what was sent.
   bool wantsClose() const { return wants_close_ || channel_->hasFailed(); }
 
@@ -41,6 +47,7 @@ class QiConnection {
   bool isOpen() const { return is_open_; }
 
  private:
+  void takeAll();
   void take(const Message& message);
   bool isAuthentication(const Message& message) const;
   void authenticate(const Message& message);
@@ -55,6 +62,7 @@ class QiConnection {
   FrameReader reader_;
   bool is_open_ = false;
   bool wants_close_ = false;
+  bool held_ = false;
 };
 
 }  // namespace nao::wire

@@ -106,6 +106,30 @@ TEST_F(ServerTest, AClientThatDoesNotReadHarmsNobody) {
   expectWell();
 }
 
+TEST_F(ServerTest, AnswersManyLargeCallsThatCameTogether) {
+  constexpr std::uint32_t kCalls = 2000;  // metaobjects of some kilobytes: well over 8 MiB
+  TcpClient client(running_.port());
+  const std::uint32_t motion = client.service("ALMotion");
+  wire::Bytes calls;
+  for (std::uint32_t id = 1; id <= kCalls; ++id) {
+    wire::Message message;
+    message.id = 1000 + id;
+    message.address = {motion, 1, 2};
+    wire::encode(message.payload, Value::tuple({0U}), rpc::Signature::of("(I)"));
+    const wire::Bytes frame = encodeFrame(message);
+    calls.insert(calls.end(), frame.begin(), frame.end());
+  }
+  client.sendBytes(calls);
+  std::size_t bytes = 0;
+  for (std::uint32_t id = 1; id <= kCalls; ++id) {
+    const auto answer = client.receive();
+    ASSERT_TRUE(answer);
+    ASSERT_EQ(answer->id, 1000 + id);
+    bytes += answer->payload.size();
+  }
+  EXPECT_GT(bytes, 2 * Session::kGiveUp);
+}
+
 TEST_F(ServerTest, AWaitForAPostedCallHasATimeOut) {
   constexpr std::uint32_t kPost = 101;
   constexpr std::uint32_t kWait = 108;
