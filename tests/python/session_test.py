@@ -152,7 +152,7 @@ class Openings(WithServer):
     def testNobodyListeningIsAnError(self):
         with socket.create_server(("127.0.0.1", 0)) as listener:
             port = listener.getsockname()[1]
-        with self.assertRaisesRegex(ConnectionLost, "cannot connect to tcp://127.0.0.1:%d" % port):
+        with self.assertRaisesRegex(ConnectionLost, "Cannot connect to tcp://127.0.0.1:%d" % port):
             Session("127.0.0.1:%d" % port)
 
 

@@ -32,8 +32,7 @@ class ALProxy:
         try:
             self._object: RemoteObject = _session(address).service(self._name)
         except ConnectionLost as error:
-            raise RuntimeError("\tALProxy::ALProxy\n\tCannot connect to tcp://%s (%s)" % (
-                address, error)) from None
+            raise RuntimeError("\tALProxy::ALProxy\n\t%s" % error) from None
         except CallError:
             raise RuntimeError("\tALProxy::ALProxy\n\tCan't find service: %s" % name) from None
         self.post = _Post(self)

@@ -95,7 +95,7 @@ class Session:
         try:
             sock = socket.create_connection(address, CONNECT_TIMEOUT)
         except OSError as error:
-            raise ConnectionLost("cannot connect to tcp://%s:%d: %s" % (*address, error)) from None
+            raise ConnectionLost("Cannot connect to tcp://%s:%d: %s" % (*address, error)) from None
         sock.settimeout(None)
         sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         connection = Connection(sock)
