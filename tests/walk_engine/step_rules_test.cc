@@ -25,6 +25,12 @@ TEST(StepRules, SideStepAtThePublishedSpeed) {
   EXPECT_NEAR(speed, (0.14 - 0.088) / 0.84, kRounding);  // [m/s]
 }
 
+TEST(StepRules, TurnAtTheRateTheRobotWasSeenToTurn) {
+  const GaitConfig config;
+  const double rate = calcPairReach({0, 0, 1}, config).theta / (2 * calcStepPeriod(config));
+  EXPECT_NEAR(rate * 180 / M_PI, 42, 0.05);  // [degrees/s] reported without a decimal
+}
+
 TEST(StepRules, StepSlowerAtLowerFrequency) {
   GaitConfig config;
   EXPECT_NEAR(calcStepPeriod(config), 0.42, kRounding);
