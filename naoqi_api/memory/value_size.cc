@@ -24,6 +24,18 @@ void forEachInside(const Value& value, const F& visit) {
   }
 }
 
+// Of the types that a value keeps beside its items: a client may make them long.
+std::size_t typeLetters(const Value& value) {
+  const auto& content = value.content();
+  if (const auto* list = std::get_if<Value::List>(&content)) return list->element.size();
+  if (const auto* tuple = std::get_if<Value::Tuple>(&content)) return tuple->signature.size();
+  if (const auto* optional = std::get_if<Value::Optional>(&content)) {
+    return optional->element.size();
+  }
+  const auto* map = std::get_if<Value::Map>(&content);
+  return map ? map->key.size() + map->value.size() : 0;
+}
+
 }  // namespace
 
 std::size_t sizeOf(const Value& value) {
@@ -32,9 +44,7 @@ std::size_t sizeOf(const Value& value) {
   if (const auto* bytes = std::get_if<rpc::SharedBytes>(&value.content())) {
     if (*bytes) size += (*bytes)->size();
   }
-  if (const auto* tuple = std::get_if<Value::Tuple>(&value.content())) {
-    size += tuple->signature.size();
-  }
+  size += typeLetters(value);
   forEachInside(value, [&](const Value& inside) { size += sizeOf(inside); });
   return size;
 }

@@ -198,10 +198,11 @@ TEST(MemoryStore, KeepsNoObjects) {
 TEST(ValueSize, CountsWhatIsInside) {
   EXPECT_EQ(sizeOf(1), sizeof(Value));
   EXPECT_EQ(sizeOf("12345"), sizeof(Value) + 5);
-  EXPECT_EQ(sizeOf(Value::list({"12345", 1})), 3 * sizeof(Value) + 5);
+  EXPECT_EQ(sizeOf(Value::list({"12345", 1})), 3 * sizeof(Value) + 5 + 1);  // and "m"
   EXPECT_EQ(sizeOf(Value::raw(rpc::Bytes(100))), sizeof(Value) + 100);
-  EXPECT_EQ(sizeOf(Value(Value::Map{"s", "i", {{"key", 1}}})), 3 * sizeof(Value) + 3);
+  EXPECT_EQ(sizeOf(Value(Value::Map{"s", "i", {{"key", 1}}})), 3 * sizeof(Value) + 3 + 2);
   EXPECT_EQ(sizeOf(Value::dynamic("12345")), 2 * sizeof(Value) + 5);
+  EXPECT_EQ(sizeOf(Value::listOf("i<" + std::string(1000, 'x') + ">", {})), sizeof(Value) + 1003);
 }
 
 }  // namespace
