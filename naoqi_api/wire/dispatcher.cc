@@ -49,6 +49,7 @@ Dispatcher::Dispatcher(rpc::ServiceHub& hub, std::shared_ptr<Channel> channel,
 }
 
 void Dispatcher::end() {
+  late_.clear();
   unfinished_.clear();
   subscriptions_.clear();
   session_->setReach({});
@@ -122,7 +123,8 @@ void Dispatcher::callMethod(const Message& message, const std::shared_ptr<rpc::S
     failNoSuchMethod(message);
   }
   Request request = readRequest(message, method->parameters_signature);
-  if (unfinished_.size() >= kMostUnfinished) throw CallError("too many unfinished calls");
+  if (unfinished_.size() + late_.size() >= kMostUnfinished)
+    throw CallError("too many unfinished calls");
   const Call call{headerOf(message), service, method->return_signature, std::move(request.wished)};
   const auto result = run(call, *method, request.arguments);
   if (result.isDone()) return finish(call, *result.outcome());
@@ -131,7 +133,7 @@ void Dispatcher::callMethod(const Message& message, const std::shared_ptr<rpc::S
   unfinished_[number] = {message.id, result};
   result.whenDone([weak = weak_from_this(), number, call](const rpc::Outcome<Value>& outcome) {
     const auto self = weak.lock();
-    if (self && self->unfinished_.erase(number) > 0) self->finish(call, outcome);
+    if (self && self->unfinished_.erase(number) > 0) self->finishLate(call, outcome);
   });
 }
 
@@ -176,6 +178,23 @@ void Dispatcher::finish(const Call& call, const rpc::Outcome<Value>& outcome) {
   if (outcome.isCanceled()) return answerCanceled(call);
   if (outcome.error) return channel_->error(call.header, *outcome.error);
   answer(call, *outcome.value);
+}
+
+void Dispatcher::finishLate(const Call& call, const rpc::Outcome<Value>& outcome) {
+  if (held_) {
+    late_.emplace_back(call, outcome);
+  } else {
+    finish(call, outcome);
+  }
+}
+
+void Dispatcher::resume() {
+  held_ = false;
+  while (!held_ && !late_.empty()) {
+    const auto [call, outcome] = std::move(late_.front());
+    late_.pop_front();
+    finish(call, outcome);
+  }
 }
 
 void Dispatcher::answer(const Call& call, const Value& result) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <memory>
 #include <string>
@@ -25,6 +26,11 @@ class Dispatcher : public std::enable_shared_from_this<Dispatcher> {
 
   /// Takes a message that is not about the opening.
   void dispatch(const Message& message);
+
+  /// Keeps the answers to calls that end later back until resume(), in order, as values: the client
+  /// does not read as fast as they come.
+  void hold() { held_ = true; }
+  void resume();
 
   /// The client has gone: results that come later go nowhere.
   void end();
@@ -53,6 +59,7 @@ class Dispatcher : public std::enable_shared_from_this<Dispatcher> {
                           const std::vector<Value>& arguments);
   void watch(const Call& call, const rpc::Pending<Value>& result, bool counts, bool traces) const;
   void finish(const Call& call, const rpc::Outcome<Value>& outcome);
+  void finishLate(const Call& call, const rpc::Outcome<Value>& outcome);
   void answer(const Call& call, const Value& result);
   void answerCanceled(const Call& call);
 
@@ -68,6 +75,8 @@ class Dispatcher : public std::enable_shared_from_this<Dispatcher> {
   };
   std::map<std::uint64_t, Unfinished> unfinished_;  // by our own number
   std::uint64_t next_unfinished_ = 1;
+  bool held_ = false;
+  std::deque<std::pair<Call, rpc::Outcome<Value>>> late_;  // ended, not answered yet
 };
 
 }  // namespace nao::wire

@@ -55,8 +55,14 @@ void QiConnection::receive(const std::uint8_t* bytes, std::size_t count) {
   takeAll();
 }
 
+void QiConnection::hold() {
+  held_ = true;
+  dispatcher_->hold();
+}
+
 void QiConnection::resume() {
   if (!std::exchange(held_, false) || wants_close_) return;
+  dispatcher_->resume();
   takeAll();
 }
 

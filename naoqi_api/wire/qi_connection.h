@@ -31,9 +31,10 @@ class QiConnection {
   /// Bytes as they came, in pieces of any size; answers go out before it returns.
   void receive(const std::uint8_t* bytes, std::size_t count);
 
-  /// Leaves further messages where they are until resume(): what was sent has not gone out yet.
+  /// Leaves further messages where they are, and answers to earlier ones unsent, until resume():
+  /// what was sent has not gone out yet.
   /// May be called while a message is being answered.
-  void hold() { held_ = true; }
+  void hold();
   void resume();
   bool isHeld() const { return held_; }
 

@@ -130,6 +130,25 @@ TEST_F(ServerTest, AnswersManyLargeCallsThatCameTogether) {
   EXPECT_GT(bytes, 2 * Session::kGiveUp);
 }
 
+TEST_F(ServerTest, AnswersManyCallsThatEndTogether) {
+  constexpr int kCalls = 20;  // pictures of 0.9 MB: over 8 MiB at once
+  TcpClient client(running_.port());
+  const std::uint32_t video = client.service("ALVideoDevice");
+  const std::uint32_t get_image = client.method(video, "getImageRemote");
+  const auto subscribed = client.call({video, 1, client.method(video, "subscribeCamera")},
+                                      Value::tuple({"test", 0, 2, 11, 5}));
+  const Value handle = client.answer(subscribed, "s");
+  std::vector<std::uint32_t> asked;
+  for (int k = 0; k < kCalls; ++k) {
+    asked.push_back(client.call({video, 1, get_image}, Value::tuple({handle})));
+  }
+  for (const std::uint32_t id : asked) {
+    const Value image = client.answer(id, "m");
+    ASSERT_NE(image.findItems(), nullptr);
+    EXPECT_EQ(image.findItems()->at(6).findBytes()->size(), 640U * 480U * 3U);
+  }
+}
+
 TEST_F(ServerTest, AWaitForAPostedCallHasATimeOut) {
   constexpr std::uint32_t kPost = 101;
   constexpr std::uint32_t kWait = 108;

@@ -83,6 +83,16 @@ class TcpClient {
     return services::serviceInfoOf(info).service_id;
   }
 
+  /// The number of a method by its name; the first of several.
+  std::uint32_t method(std::uint32_t service, const std::string& name) {
+    const rpc::Value object = answer(call({service, 1, 2}, rpc::Value::tuple({0U})),
+                                     "({I(Issss[(ss)]s)}{I(Iss)}{I(Iss)}s)");
+    for (const auto& [uid, method] : object.findItems()->front().find<rpc::Value::Map>()->entries) {
+      if (*method.findItems()->at(2).findText() == name) return *uid.find<std::uint32_t>();
+    }
+    throw std::runtime_error("there is no method " + name);
+  }
+
   void shutDown() { socket_.close(); }
 
  private:
