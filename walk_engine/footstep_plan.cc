@@ -8,6 +8,7 @@ namespace {
 
 using Eigen::Vector2d;
 
+constexpr double kNotice = 0.4;      // [s] e^(-6.1 * 0.4): a tenth of the change is felt now
 constexpr double kSamePlace = 1e-6;  // [m], [rad] below anything a command can resolve
 
 bool same(const Pose2& a, const Pose2& b) {
@@ -86,8 +87,8 @@ Vector2d FootstepPlan::zmpOf(const Pose2& sole, Foot foot) const {
   return {point.x, point.y};
 }
 
-Vector2d FootstepPlan::restZmp() const {
-  return 0.5 * (zmpOf(feet_[0], Foot::Left) + zmpOf(feet_[1], Foot::Right));
+Vector2d FootstepPlan::zmpBetween(const FeetPlaces& feet) const {
+  return 0.5 * (zmpOf(feet[0], Foot::Left) + zmpOf(feet[1], Foot::Right));
 }
 
 void FootstepPlan::reset(const FeetPlaces& feet, std::int64_t now) {
@@ -95,20 +96,20 @@ void FootstepPlan::reset(const FeetPlaces& feet, std::int64_t now) {
   steps_.clear();
   goal_ = Goal();
   complete_ = true;
-  stand_zmp_ = restZmp();
+  stand_zmp_ = zmpBetween(feet_);
   stand_since_ = now - ticks(tuning_.end_double_support);
 }
 
 void FootstepPlan::follow(const Goal& goal, std::int64_t now) {
   advance(now, now);
+  // A body that is coming to rest is past the point where it could go on to the other foot.
+  const bool resting = complete_ || rest_first_ || steps_.empty() ||
+                       (steps_.size() > 1 && steps_[1].shift < steps_[1].double_support);
+  rest_first_ = resting && (steps_.empty() || steps_.front().end() - now < ticks(kNotice));
   goal_ = goal;
   complete_ = false;
+  begin_ = now;
   if (steps_.size() > 1) steps_.erase(steps_.begin() + 1, steps_.end());
-  if (!steps_.empty()) return;
-  // From standing, perhaps not quite at rest yet: the weight first goes over to one foot.
-  const Vector2d zmp = calcZmp(now);
-  stand_since_ = now;
-  stand_zmp_ = zmp;
 }
 
 FeetPlaces FootstepPlan::lastFeet() const {
@@ -142,15 +143,19 @@ bool FootstepPlan::append() {
   step.swing = swing;
   step.from = feet[index(swing)];
   step.to = *place;
-  step.start = end();
+  step.start = steps_.empty() ? begin_ : end();
   step.double_support = ticks(tuning_.double_support_share * period * tick_seconds_);
   step.shift = step.double_support;
   const double way = std::hypot(step.to.x - step.from.x, step.to.y - step.from.y);  // [m]
   step.single_support = std::max(period - step.double_support, ticks(way / tuning_.swing_speed));
-  if (steps_.empty()) step.double_support = ticks(tuning_.start_double_support);
   step.height = goal_.config.step_height;
-  step.zmp_from = steps_.empty() ? stand_zmp_ : steps_.back().zmp_to;
+  step.zmp_from = steps_.empty() ? Vector2d::Zero() : steps_.back().zmp_to;
   step.zmp_to = zmpOf(feet[index(support)], support);
+  if (rest_first_) {
+    step.double_support = ticks(tuning_.start_double_support);
+    step.zmp_from = zmpBetween(feet);
+    rest_first_ = false;
+  }
   steps_.push_back(step);
   return true;
 }
@@ -167,18 +172,26 @@ void FootstepPlan::advance(std::int64_t now, std::int64_t horizon) {
 }
 
 Vector2d FootstepPlan::calcZmp(std::int64_t tick) const {
+  std::int64_t since = stand_since_;
+  Vector2d from = stand_zmp_;
   for (const PlannedStep& step : steps_) {
-    if (tick >= step.end()) continue;
-    const double shifted = static_cast<double>(tick - step.lift() + step.shift) / step.shift;
-    const double s = std::clamp(shifted, 0.0, 1.0);
-    return step.zmp_from + s * (step.zmp_to - step.zmp_from);
+    if (tick < step.end()) {
+      const std::int64_t moving = tick - step.lift() + step.shift;  // [ticks] into the shift
+      if (moving < 0) return settle(from, step.zmp_from, tick - since);
+      const double s = std::min(1.0, static_cast<double>(moving) / step.shift);
+      return step.zmp_from + s * (step.zmp_to - step.zmp_from);
+    }
+    since = step.end();
+    from = step.zmp_to;
   }
-  const Vector2d last = steps_.empty() ? stand_zmp_ : steps_.back().zmp_to;
-  const FeetPlaces feet = lastFeet();
-  const Vector2d rest = 0.5 * (zmpOf(feet[0], Foot::Left) + zmpOf(feet[1], Foot::Right));
-  const double settled =
-      static_cast<double>(tick - end()) / (0.5 * ticks(tuning_.end_double_support));
-  return last + smooth(std::clamp(settled, 0.0, 1.0)) * (rest - last);
+  return settle(from, zmpBetween(lastFeet()), tick - since);
+}
+
+// On the way from one foot to rest between both.
+Vector2d FootstepPlan::settle(const Vector2d& from, const Vector2d& rest,
+                              std::int64_t elapsed) const {
+  const double s = static_cast<double>(elapsed) / (0.5 * ticks(tuning_.end_double_support));
+  return from + smooth(std::clamp(s, 0.0, 1.0)) * (rest - from);
 }
 
 bool FootstepPlan::atRest(std::int64_t now) const {

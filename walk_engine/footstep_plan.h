@@ -78,20 +78,24 @@ class FootstepPlan {
   bool atRest(std::int64_t now) const;
 
  private:
+  Eigen::Vector2d settle(const Eigen::Vector2d& from, const Eigen::Vector2d& rest,
+                         std::int64_t elapsed) const;
   bool append();
   FeetPlaces lastFeet() const;
   std::int64_t end() const;
   Eigen::Vector2d zmpOf(const Pose2& sole, Foot foot) const;
-  Eigen::Vector2d restZmp() const;
+  Eigen::Vector2d zmpBetween(const FeetPlaces& feet) const;
   int ticks(double seconds) const;
 
   Tuning tuning_;
   double tick_seconds_;
   Goal goal_;
   FeetPlaces feet_;
-  std::vector<PlannedStep> steps_;                       // the first may be under way
-  bool complete_ = true;                                 // the goal asks for no further steps
-  std::int64_t stand_since_ = 0;                         // tick at which the last step ended
+  std::vector<PlannedStep> steps_;  // the first may be under way
+  bool complete_ = true;            // the goal asks for no further steps
+  bool rest_first_ = false;         // before the next step, the body comes to rest
+  std::int64_t begin_ = 0;          // tick of the newest goal
+  std::int64_t stand_since_ = 0;    // tick at which the last step ended
   Eigen::Vector2d stand_zmp_ = Eigen::Vector2d::Zero();  // [m] at that tick
 };
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/random.h"
 #include "tests/walk_engine/trial.h"
 
 // Walks in physics at 2 ms steps. Bands: commanded and true way may differ by 5 % of the way plus
@@ -111,6 +112,23 @@ TEST_P(WalkPhysics, StandsAfterAStopInAnyPhaseOfAStep) {
   }
 }
 
+TEST_P(WalkPhysics, GoesOnWheneverAskedAfterAStop) {
+  for (int i = 0; i < 14; ++i) {
+    Trial trial(GetParam());
+    trial.gait().walkToward(0.8, 0.5, -0.5, GaitConfig());
+    trial.settle(0.6);
+    trial.run(2.1);
+    trial.gait().stop();
+    trial.run(0.1 * i);
+    trial.gait().walkToward(-0.2, 0.9, -0.5, GaitConfig());
+    trial.gait().walkToward(0.2, -0.9, 0.5, GaitConfig());  // the later one counts
+    trial.run(0.05);
+    trial.gait().walkTo({0.1, 0, 0}, GaitConfig());
+    trial.runToEnd();
+    ASSERT_LT(trial.maxTilt(), 7 * kDegree) << 0.1 * i << " s after the stop";
+  }
+}
+
 TEST_P(WalkPhysics, WalksAtEveryFrequencyAndOnSlipperyGround) {
   for (const double frequency : {0.0, 0.25, 0.5, 0.75, 1.0}) {
     for (const double friction : {0.3, 1.0}) {
@@ -124,6 +142,27 @@ TEST_P(WalkPhysics, WalksAtEveryFrequencyAndOnSlipperyGround) {
       trial.run(5);
       ASSERT_LT(trial.maxTilt(), 5 * kDegree) << frequency << ' ' << friction;
     }
+  }
+}
+
+TEST_P(WalkPhysics, StandsThroughRandomCommands) {
+  Random random(1);
+  for (int sequence = 0; sequence < 8; ++sequence) {
+    Trial trial(GetParam());
+    while (trial.seconds() < 30) {
+      GaitConfig config;
+      config.max_step_frequency = random.uniform();
+      const double x = random.uniform(-1, 1);
+      const double y = random.uniform(-1, 1);
+      const double theta = random.uniform(-1, 1);
+      if (random.uniform() < 0.15) {
+        trial.gait().stop();
+      } else {
+        trial.gait().walkToward(x, y, theta, config);
+      }
+      trial.run(random.uniform(0.5, 3.5));
+    }
+    ASSERT_FALSE(trial.fallen()) << sequence << ' ' << trial.summary();
   }
 }
 
