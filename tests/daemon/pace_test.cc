@@ -8,6 +8,7 @@ namespace nao::daemon {
 namespace {
 
 using std::chrono_literals::operator""ms;
+using std::chrono_literals::operator""h;
 
 const Pace::Wall kStart{std::chrono::seconds(1000)};
 
@@ -19,6 +20,13 @@ TEST(Pace, WaitsForTheWallClockAtItsSpeed) {
 TEST(Pace, NeverWaitsAtFullSpeed) {
   Pace pace(std::numeric_limits<double>::infinity(), SimTime{}, kStart);
   EXPECT_LE(pace.due(SimTime(3600000ms), kStart), kStart);
+}
+
+TEST(Pace, AtAlmostNoSpeedItWaitsAlmostForEver) {
+  for (const double speed : {1e-12, std::numeric_limits<double>::denorm_min()}) {
+    Pace pace(speed, SimTime{}, kStart);
+    EXPECT_GT(pace.due(SimTime(10ms), kStart), kStart + 1000h);
+  }
 }
 
 TEST(Pace, CatchesUpALittleLateness) {
