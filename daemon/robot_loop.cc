@@ -114,12 +114,13 @@ void RobotLoop::handle(const LoopRequest& request) {
   };
   std::visit(Overloaded{[&](const PauseWorld&) {
                           paused_ = true;
+                          endSteps();
                           finish(request.id);
                         },
                         [&](const ResumeWorld&) {
                           paused_ = false;
                           restart(pace_.speed());
-                          if (std::exchange(steps_left_, 0) > 0) finish(step_request_);
+                          endSteps();
                           finish(request.id);
                         },
                         [&](const StepWorld& r) {
@@ -144,6 +145,11 @@ void RobotLoop::handle(const LoopRequest& request) {
                           }
                         }},
              request.action);
+}
+
+// Who asked for steps is told when somebody else decides otherwise.
+void RobotLoop::endSteps() {
+  if (std::exchange(steps_left_, 0) > 0) finish(step_request_, "the steps were cut short");
 }
 
 void RobotLoop::finish(std::uint64_t id, std::string error) {

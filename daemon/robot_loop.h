@@ -76,6 +76,7 @@ class RobotLoop {
   void handleRequests();
   void handle(const LoopRequest& request);
   void finish(std::uint64_t id, std::string error = {});
+  void endSteps();
   bool mayAdvance();
   void advance();
   void advanceBy(Duration duration);

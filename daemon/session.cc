@@ -16,7 +16,7 @@ std::string addressOf(const boost::asio::ip::tcp::endpoint& endpoint) {
 
 Session::Session(boost::asio::ip::tcp::socket socket, rpc::ServiceHub& hub, Closed closed)
     : socket_(std::move(socket)),
-      half_message_(socket_.get_executor()),
+      half_message_clock_(socket_.get_executor()),
       closed_(std::move(closed)) {
   Error ignored;
   socket_.set_option(boost::asio::ip::tcp::no_delay(true), ignored);
@@ -53,7 +53,7 @@ void Session::send(rpc::Bytes frame) {
   unsent_bytes_ += frame.size();
   unsent_.push_back(std::move(frame));
   if (unsent_bytes_ > kStopReading && connection_) connection_->hold();
-  if (unsent_bytes_ > kGiveUp) {
+  if (unsent_bytes_ > kGiveUp && unsent_.size() > 1) {  // one large answer alone may go
     overflowed_ = true;  // the connection is on the stack: close it from the loop
     boost::asio::post(socket_.get_executor(), [self = shared_from_this()] { self->close(); });
   } else if (!writing_) {
@@ -85,15 +85,15 @@ bool Session::mustCloseNow() const {
 }
 
 void Session::watchHalfMessage() {
-  if (!connection_->holdsHalf()) {
-    if (std::exchange(watching_, false)) half_message_.cancel();
-    return;
-  }
-  if (std::exchange(watching_, true)) return;
-  half_message_.expires_after(kHalfMessage);
-  half_message_.async_wait([weak = weak_from_this()](const Error& error) {
+  const auto clock = half_message_.look(connection_->holdsHalf(), connection_->isHeld(),
+                                        connection_->messagesTaken());
+  if (clock == HalfMessage::Clock::GoOn) return;
+  half_message_clock_.cancel();
+  if (clock == HalfMessage::Clock::Stop) return;
+  half_message_clock_.expires_after(kHalfMessage);
+  half_message_clock_.async_wait([weak = weak_from_this()](const Error& error) {
     const auto self = weak.lock();
-    if (self && !error && self->watching_) self->close();
+    if (self && !error) self->close();
   });
 }
 
@@ -102,7 +102,7 @@ void Session::close() {
   const auto connection = std::move(connection_);
   Error ignored;
   socket_.close(ignored);
-  half_message_.cancel();
+  half_message_clock_.cancel();
   closed_(shared_from_this());
 }
 

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 
+#include "daemon/half_message.h"
 #include "naoqi_api/wire/qi_connection.h"
 
 namespace nao::daemon {
@@ -41,7 +42,8 @@ class Session : public std::enable_shared_from_this<Session> {
   bool mustCloseNow() const;
 
   boost::asio::ip::tcp::socket socket_;
-  boost::asio::steady_timer half_message_;
+  HalfMessage half_message_;
+  boost::asio::steady_timer half_message_clock_;
   Closed closed_;
   std::unique_ptr<wire::QiConnection> connection_;
   std::array<std::uint8_t, 65536> buffer_{};
@@ -49,7 +51,6 @@ class Session : public std::enable_shared_from_this<Session> {
   std::size_t unsent_bytes_ = 0;
   bool reading_ = false;
   bool writing_ = false;
-  bool watching_ = false;
   bool overflowed_ = false;
 };
 

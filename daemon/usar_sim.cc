@@ -147,6 +147,7 @@ UsarSim::Pending UsarSim::resume() { return ask(ResumeWorld{}); }
 UsarSim::Pending UsarSim::step(std::int64_t steps) { return ask(StepWorld{steps}); }
 
 UsarSim::Pending UsarSim::setSpeed(double speed) {
+  if (std::isnan(speed)) throw CallError("UsarSim: speed must be a number");
   return ask(SetSpeed{speed > 0 ? speed : std::numeric_limits<double>::infinity()});
 }
 

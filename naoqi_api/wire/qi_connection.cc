@@ -70,6 +70,7 @@ void QiConnection::takeAll() {
   while (!held_) {
     const auto message = reader_.next();
     if (!message) break;
+    ++messages_taken_;
     take(*message);
     if (wants_close_) return;
   }

@@ -41,8 +41,10 @@ class QiConnection {
   /// True once the client broke the protocol: close after what was sent.
   bool wantsClose() const { return wants_close_ || channel_->hasFailed(); }
 
-  /// True while a message has begun and not ended: close when that lasts (30 s).
+  /// True while a message has begun and not ended: close when that lasts (30 s) and no other
+  /// message is taken meanwhile.
   bool holdsHalf() const { return reader_.holdsHalf(); }
+  std::uint64_t messagesTaken() const { return messages_taken_; }
 
   /// Whether the opening is over.
   bool isOpen() const { return is_open_; }
@@ -64,6 +66,7 @@ class QiConnection {
   bool is_open_ = false;
   bool wants_close_ = false;
   bool held_ = false;
+  std::uint64_t messages_taken_ = 0;
 };
 
 }  // namespace nao::wire

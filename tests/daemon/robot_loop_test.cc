@@ -1,0 +1,77 @@
+#include "daemon/robot_loop.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "tests/support/models.h"
+
+namespace nao::daemon {
+namespace {
+
+using std::chrono_literals::operator""ms;
+
+class RobotLoopTest : public testing::Test {
+ protected:
+  /// Posts, and returns the number it will end under.
+  std::uint64_t post(decltype(LoopRequest::action) action) {
+    EXPECT_TRUE(loop_.post({++last_id_, std::move(action)}));
+    return last_id_;
+  }
+
+  /// How a request ended; waits for it.
+  std::string errorOf(std::uint64_t id) {
+    while (ended_.count(id) == 0) {
+      for (const LoopOutcome& outcome : loop_.outcomes().drain())
+        ended_[outcome.id] = outcome.error;
+    }
+    return ended_[id];
+  }
+
+  runtime::Simulation simulation_{
+      test::flatWorld(), {{"nao", test::robot("nao_h21_v33"), {}}}, 2ms};
+  RobotLoop loop_{simulation_, 1e6, [] {}};
+  std::map<std::uint64_t, std::string> ended_;
+  std::uint64_t last_id_ = 0;
+};
+
+TEST_F(RobotLoopTest, StepsExactlyAsFarAsItIsTold) {
+  const auto paused = post(PauseWorld{});
+  loop_.start();
+  EXPECT_EQ(errorOf(paused), "");
+  const SimTime before = loop_.state().get()->time;
+  EXPECT_EQ(errorOf(post(StepWorld{13})), "");
+  EXPECT_EQ(loop_.state().get()->time, before + 26ms);
+  EXPECT_TRUE(loop_.state().get()->paused);
+}
+
+TEST_F(RobotLoopTest, APauseCutsStepsShort) {
+  post(PauseWorld{});
+  loop_.start();
+  const auto endless = post(StepWorld{INT64_MAX});
+  EXPECT_EQ(errorOf(post(PauseWorld{})), "");
+  EXPECT_NE(errorOf(endless), "");
+}
+
+TEST_F(RobotLoopTest, StepsOnlyAPausedWorld) {
+  loop_.start();
+  EXPECT_NE(errorOf(post(StepWorld{1})), "");
+}
+
+TEST_F(RobotLoopTest, SaysWhatIsNotThere) {
+  loop_.start();
+  EXPECT_NE(errorOf(post(runtime::WorldRequest(runtime::PlaceRobot{7, {}}))), "");
+  EXPECT_EQ(errorOf(post(runtime::WorldRequest(runtime::ResetWorld{}))), "");
+}
+
+TEST_F(RobotLoopTest, TellsTheStateOnlyWhileTimeStands) {
+  loop_.start();
+  EXPECT_EQ(errorOf(post(PauseWorld{})), "");
+  const std::uint64_t hash = loop_.state().get()->hash;
+  EXPECT_NE(hash, 0u);
+  EXPECT_EQ(errorOf(post(StepWorld{1})), "");
+  EXPECT_NE(loop_.state().get()->hash, hash);
+}
+
+}  // namespace
+}  // namespace nao::daemon
