@@ -58,8 +58,9 @@ void Server::accept() {
       return;
     }
     if (sessions_.size() < kMostConnections) {
-      const auto session = std::make_shared<Session>(
-          std::move(socket), hub_, [this](const auto& closed) { sessions_.erase(closed); });
+      const auto session =
+          std::make_shared<Session>(std::move(socket), hub_, buffer_,
+                                    [this](const auto& closed) { sessions_.erase(closed); });
       sessions_.insert(session);
       session->start();
     }

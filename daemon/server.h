@@ -33,6 +33,7 @@ class Server {
   rpc::ServiceHub& hub_;
   boost::asio::ip::tcp::acceptor acceptor_;
   boost::asio::steady_timer breath_;
+  Session::ReadBuffer buffer_{};
   std::set<std::shared_ptr<Session>> sessions_;
 };
 

@@ -14,11 +14,14 @@ std::string addressOf(const boost::asio::ip::tcp::endpoint& endpoint) {
 
 }  // namespace
 
-Session::Session(boost::asio::ip::tcp::socket socket, rpc::ServiceHub& hub, Closed closed)
+Session::Session(boost::asio::ip::tcp::socket socket, rpc::ServiceHub& hub, ReadBuffer& buffer,
+                 Closed closed)
     : socket_(std::move(socket)),
       half_message_clock_(socket_.get_executor()),
-      closed_(std::move(closed)) {
+      closed_(std::move(closed)),
+      buffer_(buffer) {
   Error ignored;
+  socket_.non_blocking(true, ignored);
   socket_.set_option(boost::asio::ip::tcp::no_delay(true), ignored);
   socket_.set_option(boost::asio::socket_base::keep_alive(true), ignored);
   const auto dialled = socket_.local_endpoint(ignored);
@@ -31,14 +34,16 @@ void Session::start() { read(); }
 void Session::read() {
   if (reading_ || !socket_.is_open()) return;
   reading_ = true;
-  socket_.async_read_some(boost::asio::buffer(buffer_),
-                          [self = shared_from_this()](const Error& error, std::size_t count) {
-                            self->received(error, count);
-                          });
+  socket_.async_wait(boost::asio::socket_base::wait_read,
+                     [self = shared_from_this()](const Error& error) { self->readable(error); });
 }
 
-void Session::received(const Error& error, std::size_t count) {
+void Session::readable(const Error& waiting) {
   reading_ = false;
+  if (waiting) return close();
+  Error error;
+  const std::size_t count = socket_.read_some(boost::asio::buffer(buffer_), error);
+  if (error == boost::asio::error::would_block) return read();
   if (error) return close();
   if (!connection_) return;
   connection_->receive(buffer_.data(), count);

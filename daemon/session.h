@@ -23,8 +23,11 @@ class Session : public std::enable_shared_from_this<Session> {
   static constexpr std::chrono::seconds kHalfMessage{30};  // a message begun must end by then
 
   using Closed = std::function<void(const std::shared_ptr<Session>&)>;
+  using ReadBuffer = std::array<std::uint8_t, 65536>;
 
-  Session(boost::asio::ip::tcp::socket socket, rpc::ServiceHub& hub, Closed closed);
+  /// `buffer` is lent for the moment of a read and may be shared by all sessions of the thread.
+  Session(boost::asio::ip::tcp::socket socket, rpc::ServiceHub& hub, ReadBuffer& buffer,
+          Closed closed);
 
   void start();
   /// Closes the socket and ends what the client had open; `closed` is told once.
@@ -34,7 +37,7 @@ class Session : public std::enable_shared_from_this<Session> {
   using Error = boost::system::error_code;
 
   void read();
-  void received(const Error& error, std::size_t count);
+  void readable(const Error& error);
   void send(rpc::Bytes frame);
   void write();
   void written(const Error& error, std::size_t count);
@@ -46,7 +49,7 @@ class Session : public std::enable_shared_from_this<Session> {
   boost::asio::steady_timer half_message_clock_;
   Closed closed_;
   std::unique_ptr<wire::QiConnection> connection_;
-  std::array<std::uint8_t, 65536> buffer_{};
+  ReadBuffer& buffer_;
   std::deque<rpc::Bytes> unsent_;
   std::size_t unsent_bytes_ = 0;
   bool reading_ = false;
