@@ -83,8 +83,8 @@ void Renderer::collectItems(const SceneFrame& scene, const View& view,
                             std::optional<CameraPlace> own) {
   items_.clear();
   const Pose X_CW = view.X_WC.inverse();
-  for (const Shape& obstacle : scene.world->obstacles)
-    collect(obstacle, X_CW * obstacle.X_BS, view);
+  for (const Obstacle& obstacle : scene.world->obstacles)
+    collect(obstacle.shape, X_CW * obstacle.shape.X_BS, view);
   for (const SceneFrame::Ball& ball : scene.balls) {
     Shape sphere;
     sphere.size.x() = ball.radius;

@@ -209,6 +209,8 @@ void Config::reject(const std::string& key, const std::string& expected) {
   throwAt(file_, node.line, key, expected, node.described());
 }
 
+std::string Config::place() const { return file_ + ":" + std::to_string(node_.line); }
+
 void Config::fail(const std::string& sentence) const {
   throw InputError(complaint(file_, node_.line, sentence));
 }

@@ -36,6 +36,8 @@ class Config {
 
   bool has(const std::string& key);
   const std::string& file() const { return file_; }
+  /// "file:line" of this map, for those who can judge its numbers only later.
+  std::string place() const;
   /// The keys of this map in file order, for maps whose keys are names chosen by the user.
   std::vector<std::string> keys() const;
 

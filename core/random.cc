@@ -12,24 +12,50 @@ std::uint64_t hashOf(std::string_view name, std::uint64_t seed) {
   return hash;
 }
 
+// The sequence that xoshiro's authors recommend to fill its state (Steele, Lea, Flood 2014).
+std::uint64_t splitMix(std::uint64_t& x) {
+  std::uint64_t z = x += 0x9e3779b97f4a7c15ULL;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+  return z ^ (z >> 31);
+}
+
+std::uint64_t rotateLeft(std::uint64_t x, int bits) { return (x << bits) | (x >> (64 - bits)); }
+
 }  // namespace
 
-Random::Random(std::uint64_t seed, std::string_view name) : engine_(hashOf(name, seed)) {}
+Random::Random(std::uint64_t seed, std::string_view name) {
+  std::uint64_t x = hashOf(name, seed);
+  for (std::uint64_t& word : state_) word = splitMix(x);
+}
 
-// The standard fixes the engine's numbers but not the distributions': ours are spelled out.
-double Random::uniform() { return static_cast<double>(engine_() >> 11) * 0x1.0p-53; }
+std::uint64_t Random::next() {
+  auto& s = state_;
+  const std::uint64_t result = rotateLeft(s[0] + s[3], 23) + s[0];
+  const std::uint64_t t = s[1] << 17;
+  s[2] ^= s[0];
+  s[3] ^= s[1];
+  s[1] ^= s[2];
+  s[0] ^= s[3];
+  s[2] ^= t;
+  s[3] = rotateLeft(s[3], 45);
+  return result;
+}
+
+// The distributions are spelled out: the standard's differ between libraries.
+double Random::uniform() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
 
 double Random::uniform(double low, double high) { return low + (high - low) * uniform(); }
 
 double Random::normal() {  // Box and Muller
   if (has_spare_) {
-    has_spare_ = false;
+    has_spare_ = 0;
     return spare_;
   }
   const double radius = std::sqrt(-2 * std::log(1 - uniform()));
   const double angle = 2 * M_PI * uniform();
   spare_ = radius * std::sin(angle);
-  has_spare_ = true;
+  has_spare_ = 1;
   return radius * std::cos(angle);
 }
 

@@ -31,26 +31,27 @@ struct Body {
 
 /// The hinge of body i+1. Coordinates that share a joint move together (HipYawPitch).
 struct Coordinate {
-  std::string name;   // of the hinge, e.g. RHipYawPitch
-  Joint joint{};      // the motor that drives it
-  double lower = 0;   // [rad] mechanical stop
-  double upper = 0;   // [rad]
+  std::string name;  // of the hinge, e.g. RHipYawPitch
+  Joint joint{};     // the motor that drives it
+  double lower = 0;  // [rad] mechanical stop
+  double upper = 0;  // [rad]
 };
 
 /// A motor and its gear, seen at the joint.
 struct Actuator {
-  std::string name;                // NaoQi's, e.g. LHipYawPitch
-  std::vector<int> coordinates;    // hinges it turns: one, two (HipYawPitch), none (hands)
-  double lower = 0;                // [rad] command range; hands 0..1
-  double upper = 0;                // [rad]
-  double max_velocity = 0;         // [rad/s] as getLimits reports, base of fractionMaxSpeed
-  double max_torque = 0;           // [N m]   as getLimits reports
-  double stall_torque = 0;         // [N m] at the joint, before efficiency
-  double no_load_speed = 0;        // [rad/s] at the joint
-  double efficiency = 0.7;         // of the gear
-  double rotor_inertia = 0;        // [kg m^2] reflected to the joint
-  double kp = 0;                   // [N m/rad]
-  double kd = 0;                   // [N m s/rad]
+  std::string name;              // NaoQi's, e.g. LHipYawPitch
+  std::vector<int> coordinates;  // hinges it turns: one, two (HipYawPitch), none (hands)
+  double lower = 0;              // [rad] command range; hands 0..1
+  double upper = 0;              // [rad]
+  double max_velocity = 0;       // [rad/s] as getLimits reports, base of fractionMaxSpeed
+  double max_torque = 0;         // [N m]   as getLimits reports
+  double stall_torque = 0;       // [N m] at the joint, before efficiency
+  double no_load_speed = 0;      // [rad/s] at the joint
+  double efficiency = 0.7;       // of the gear
+  double rotor_inertia = 0;      // [kg m^2] reflected to the joint
+  double kp = 0;                 // [N m/rad]
+  double kd = 0;                 // [N m s/rad]
+  int board = -1;                // motors of one board go free together; -1: a board of its own
 };
 
 /// The range of one joint depends on the angle of another: linear between rows.
@@ -63,6 +64,8 @@ struct CoupledLimit {
   Joint driver{};
   Joint limited{};
   std::vector<Row> rows;
+  bool stop = true;  // the joint meets it
+  bool clip = true;  // commands are clipped to it, as NAOqi does
 
   /// The range of the limited joint at this angle of the driver; ends are held.
   std::pair<double, double> rangeAt(double driver_angle) const;
@@ -76,14 +79,14 @@ struct Frame {
 };
 
 struct CameraModel {
-  std::string name;                 // CameraTop, CameraBottom
+  std::string name;  // CameraTop, CameraBottom
   int body = 0;
-  Pose X_BC = Pose::Identity();     // x along the line of sight
-  double hfov = 0;                  // [rad]
-  double vfov = 0;                  // [rad]
-  int max_width = 640;              // [px]
-  int max_height = 480;             // [px]
-  std::vector<int> frame_rates;     // [1/s] offered, ascending; a wish is rounded up
+  Pose X_BC = Pose::Identity();  // x along the line of sight
+  double hfov = 0;               // [rad]
+  double vfov = 0;               // [rad]
+  int max_width = 640;           // [px]
+  int max_height = 480;          // [px]
+  std::vector<int> frame_rates;  // [1/s] offered, ascending; a wish is rounded up
 };
 
 /// A foot: where it touches the ground and where it feels it.
@@ -108,6 +111,15 @@ struct Posture {
   JointArray<double> angle;  // [rad]
 };
 
+/// An imperfection that a robot's file asks for. sim/effects/ knows the name and its law, and
+/// checks the numbers when a world is made.
+struct EffectSetting {
+  std::string name;                          // in the catalogue
+  std::map<std::string, double> parameters;  // those that differ from their nominal value
+  std::vector<Joint> joints;                 // it acts on these; empty: on all
+  std::string place;                         // "file:line" that asked for it
+};
+
 /// Everything fixed about a robot, read from robots/<name>/. Immutable once loaded.
 struct RobotModel {
   std::string name;         // nao_h21_v33
@@ -122,15 +134,18 @@ struct RobotModel {
   std::vector<CoupledLimit> coupled_limits;
   std::vector<Frame> frames;
   std::vector<CameraModel> cameras;
-  std::vector<FootModel> feet;          // none, or left and right
+  std::vector<FootModel> feet;  // none, or left and right
   std::vector<ContactSphere> contact_spheres;
   std::vector<Posture> postures;
   std::string start_posture;
 
   int imu_body = 0;
   Vec3 p_BoImu = Vec3::Zero();
-  int gyro_axes = 3;                // 2 on V3.x and V4
-  double encoder_quantum = 0;       // [rad]; 0: exact
+  int gyro_axes = 3;  // 2 on V3.x and V4
+
+  std::vector<EffectSetting> effects;    // always on
+  std::vector<EffectSetting> variation;  // on in runs that have a seed: why real runs differ
+  std::vector<std::pair<int, int>> no_collision;  // bodies that never touch each other
 
   /// NaoQi's names, in NaoQi's order; "Body" has RHipYawPitch although there is no such motor.
   std::map<std::string, std::vector<std::string>> groups;

@@ -148,7 +148,6 @@ void readBody(const std::string& file, const UrdfRobot& urdf, RobotModel& model)
     model.version = body.text("version", "1");
     model.cycle = std::chrono::milliseconds(body.integer("cycle_ms", 1, 100, 10));
     model.fixed_base = body.flag("fixed_base", false);
-    model.encoder_quantum = body.number("encoder_quantum", kNotNegative, 0);
     if (body.flag("repair_inertia", false)) {
       for (Body& part : model.bodies) part.I_Bcm = nearestSolid(part.I_Bcm);
     }
@@ -160,6 +159,8 @@ void readBody(const std::string& file, const UrdfRobot& urdf, RobotModel& model)
     readFeet(body, model);
     readContactSpheres(body, model);
     readFrames(body, model);
+    model.effects = readEffects(body, "effects", model);
+    model.variation = readEffects(body, "variation", model);
   });
 }
 

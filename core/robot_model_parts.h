@@ -16,6 +16,10 @@ void readBody(const std::string& file, const UrdfRobot& urdf, RobotModel& model)
 /// The `drives` and `actuators` of body.yaml, and with them the coordinates and aliases.
 void readActuators(Config& body, const UrdfRobot& urdf, RobotModel& model);
 
+/// The list at `key`: `- {effect: name, joints: [names or groups], parameter: number, ...}`.
+std::vector<EffectSetting> readEffects(Config& body, const std::string& key,
+                                       const RobotModel& model);
+
 /// postures.yaml; every posture gives every actuator an angle within its range.
 void readPostures(const std::string& file, RobotModel& model);
 

@@ -76,7 +76,7 @@ void readShapes(Config& config, const std::string& key, Shape::Kind kind, WorldM
     shape.X_BS = entry.pose();
     shape.size = size_of(entry);
     shape.color = entry.color("color", shape.color);
-    world.obstacles.push_back(shape);
+    world.obstacles.push_back({"", shape, {}});
   });
 }
 

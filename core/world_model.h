@@ -20,21 +20,30 @@ struct GroundMark {
   Color color{255, 255, 255};
 };
 
-/// How touching bodies push back. See sim/contact.h for the law.
+/// How touching bodies push back. The laws stand in sim/ground_contact.h and sim/touching.h.
 struct Material {
-  double friction = 0.7;                // Coulomb coefficient
-  double stiffness = 30e3;              // [N/m] per contact point, normal
-  double damping = 300;                 // [N s/m]
-  double tangential_stiffness = 20e3;   // [N/m]
-  double tangential_damping = 100;      // [N s/m]
+  double friction = 0.7;               // Coulomb coefficient
+  double torsional_friction = 0;       // [m] largest torque about the normal per normal force
+  double restitution = 0;              // part of the approach speed that comes back, 0 to 1
+  double stiffness = 30e3;             // [N/m] per contact point, normal
+  double damping = 300;                // [N s/m]
+  double tangential_stiffness = 20e3;  // [N/m]
+  double tangential_damping = 100;     // [N s/m]
+};
+
+/// A solid that stays where it is.
+struct Obstacle {
+  std::string name;
+  Shape shape;  // X_BS is X_WS
+  Material material;
 };
 
 struct Ball {
   std::string name = "ball";
-  double radius = 0.0325;           // [m]
-  double mass = 0.055;              // [kg]
+  double radius = 0.0325;             // [m]
+  double mass = 0.055;                // [kg]
   double rolling_deceleration = 0.5;  // [1/s], a = -c v
-  Vec3 p_W = Vec3::Zero();          // [m] start
+  Vec3 p_W = Vec3::Zero();            // [m] start
   Color color{255, 120, 0};
 };
 
@@ -54,7 +63,8 @@ struct WorldModel {
   Color sky_color{170, 190, 210};
   Eigen::Vector2d ground_size = Eigen::Vector2d(10, 10);  // [m] painted part; the plane is endless
   std::vector<GroundMark> marks;
-  std::vector<Shape> obstacles;  // X_BS is X_WS
+  Vec3 ground_normal = Vec3::UnitZ();  // of the plane through the origin; tilted: a slope
+  std::vector<Obstacle> obstacles;
   std::vector<Ball> balls;
   std::vector<RobotPlace> robots;
 };

@@ -50,7 +50,7 @@ double GroundContact::lowestPoint(const std::vector<BodyMotion>& motion) const {
   return points_.empty() ? 0 : lowest;
 }
 
-void GroundContact::prepare(const std::vector<BodyMotion>& motion, const MassMatrix& mass,
+void GroundContact::prepare(const std::vector<BodyMotion>& motion, const TreeDynamics& mass,
                             double h) {
   h_ = h;
   mass_ = &mass;

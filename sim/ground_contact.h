@@ -4,7 +4,7 @@
 
 #include "core/robot_model.h"
 #include "core/world_model.h"
-#include "sim/mass_matrix.h"
+#include "sim/tree_dynamics.h"
 
 namespace nao::sim {
 
@@ -37,7 +37,7 @@ class GroundContact {
   const std::vector<Anchor>& anchors() const { return anchors_; }
 
   /// Starts a step of `h` [s]: finds the points that touch within it.
-  void prepare(const std::vector<BodyMotion>& motion, const MassMatrix& mass, double h);
+  void prepare(const std::vector<BodyMotion>& motion, const TreeDynamics& mass, double h);
 
   void addTo(TreeMatrix& matrix, Eigen::VectorXd& rhs) const;
 
@@ -70,7 +70,7 @@ class GroundContact {
     Vec3 now;                   // [N] at the start of the step, with the velocity carried on
     Vec3 change;                // [N s/m] their fall per unit of change of velocity
     Vec3 force;                 // [N] over the step
-    MassMatrix::PointJacobian jacobian;
+    TreeDynamics::PointJacobian jacobian;
   };
   void addFoot(const FootModel& foot, int index);
   void open(std::size_t point, const Vec3& p_W, const Vec3& v_W);
@@ -84,7 +84,7 @@ class GroundContact {
 
   Material material_;
   double h_ = 0;
-  const MassMatrix* mass_ = nullptr;
+  const TreeDynamics* mass_ = nullptr;
   std::vector<Point> points_;
   std::vector<Anchor> anchors_;  // by point
   std::vector<Touch> touches_;

@@ -123,7 +123,7 @@ void RobotBody::solve(const std::vector<ExternalForce>& external, double h) {
 }
 
 void RobotBody::addExternal(const std::vector<ExternalForce>& external, double h) {
-  MassMatrix::PointJacobian jacobian;
+  TreeDynamics::PointJacobian jacobian;
   for (const ExternalForce& force : external) {
     mass_.calcPointJacobian(force.body, force.p_W, jacobian);
     int k = 0;

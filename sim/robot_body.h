@@ -9,8 +9,8 @@
 #include "sim/drive.h"
 #include "sim/ground_contact.h"
 #include "sim/joint_stops.h"
-#include "sim/mass_matrix.h"
 #include "sim/multibody.h"
+#include "sim/tree_dynamics.h"
 
 namespace nao::sim {
 
@@ -77,7 +77,7 @@ class RobotBody {
   std::shared_ptr<const RobotModel> model_;
   double gravity_;  // [m/s^2]
   Multibody multibody_;
-  MassMatrix mass_;
+  TreeDynamics mass_;
   Drive drive_;
   JointStops stops_;
   GroundContact contact_;

@@ -52,8 +52,8 @@ void Touching::touchRobot(const RobotBody& robot, const Sphere& sphere,
 
 Vec3 Touching::touchObstacles(const Sphere& sphere) const {
   Vec3 f_W = Vec3::Zero();
-  for (const Shape& shape : world_.obstacles) {
-    f_W += forceOn(sphere, shape, shape.X_BS, Vec3::Zero());
+  for (const Obstacle& obstacle : world_.obstacles) {
+    f_W += forceOn(sphere, obstacle.shape, obstacle.shape.X_BS, Vec3::Zero());
   }
   return f_W;
 }

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "core/check.h"
+#include "sim/effects/catalogue.h"
 #include "sim/fsr.h"
 #include "sim/imu.h"
 #include "sim/robot_body.h"
@@ -74,11 +75,20 @@ class World::Snapshot {
 
 class World::Impl {
  public:
-  Impl(std::shared_ptr<const WorldModel> model, std::vector<RobotSetup> setups, Duration step)
-      : model_(std::move(model)), setups_(std::move(setups)), step_(step), touching_(*model_) {
+  Impl(std::shared_ptr<const WorldModel> model, std::vector<RobotSetup> setups,
+       const WorldOptions& options)
+      : model_(std::move(model)),
+        setups_(std::move(setups)),
+        step_(options.step),
+        touching_(*model_) {
     checkStep(setups_, step_);
+    const EffectCatalogue& catalogue = options.effects ? *options.effects : standardEffects();
     for (const RobotSetup& setup : setups_) {
-      robots_.push_back(std::make_unique<Robot>(setup, *model_));
+      std::vector<EffectSetting> settings = setup.model->effects;
+      const std::vector<EffectSetting>& variation = setup.model->variation;
+      if (options.seed) settings.insert(settings.end(), variation.begin(), variation.end());
+      EffectChain effects(catalogue, settings, *setup.model, step_, options.seed, setup.name);
+      robots_.push_back(std::make_unique<Robot>(setup, *model_, std::move(effects)));
       bodies_.push_back(&robots_.back()->body);
       place(robots_.size() - 1, setup.start, startAngles(*setup.model));
     }
@@ -86,8 +96,9 @@ class World::Impl {
   }
 
   struct Robot {
-    Robot(const RobotSetup& setup, const WorldModel& world)
-        : body(setup.model, world), imu(*setup.model, world.gravity) {}
+    Robot(const RobotSetup& setup, const WorldModel& world, EffectChain chain)
+        : effects(std::move(chain)), body(setup.model, world), imu(*setup.model, world.gravity) {}
+    EffectChain effects;
     RobotBody body;
     Imu imu;
     JointCommand command;
@@ -129,11 +140,12 @@ class World::Impl {
     frame.angle = frame.current = JointArray<double>(model.jointCount());
     frame.temperature = JointArray<double>(model.jointCount(), kAmbient);
     for (std::size_t j = 0; j < model.jointCount(); ++j) {
-      frame.angle[j] = encoder(robot.body.angle(toJoint(j)), model, j);
+      frame.angle[j] = robot.body.angle(toJoint(j));
       frame.current[j] = current(model.actuators[j], robot.body.torque()[j]);
     }
     robot.imu.sample(robot.body.motion(), model.cycle, frame);
     frame.feet = calcFootForces(model, robot.body.motion(), robot.body.groundForces());
+    robot.effects.alterSensors(frame, model.cycle);
     return frame;
   }
 
@@ -204,12 +216,6 @@ class World::Impl {
     }
   }
 
-  static double encoder(double angle, const RobotModel& model, std::size_t joint) {
-    const double quantum = model.encoder_quantum;
-    if (quantum <= 0 || model.actuators[joint].coordinates.empty()) return angle;
-    return quantum * std::round(angle / quantum);
-  }
-
   // The share of the stall current that the torque needs; stall current at 21.6 V is estimated
   // from the RE-Max 24's order of size, no Aldebaran figure is public.
   static double current(const Actuator& actuator, double torque) {
@@ -231,8 +237,9 @@ class World::Impl {
   bool healthy_ = true;
 };
 
-World::World(std::shared_ptr<const WorldModel> model, std::vector<RobotSetup> robots, Duration step)
-    : impl_(std::make_unique<Impl>(std::move(model), std::move(robots), step)) {}
+World::World(std::shared_ptr<const WorldModel> model, std::vector<RobotSetup> robots,
+             WorldOptions options)
+    : impl_(std::make_unique<Impl>(std::move(model), std::move(robots), options)) {}
 World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
@@ -262,6 +269,15 @@ void World::placeBall(std::size_t ball, const Vec3& p_W, const Vec3& v_W) {
   state.p_W.z() = std::max(p_W.z(), impl_->model_->balls[ball].radius);
 }
 void World::reset() { impl_->reset(); }
+std::map<std::string, double> World::draw() const {
+  std::map<std::string, double> all;
+  for (std::size_t i = 0; i < impl_->robots_.size(); ++i) {
+    for (const auto& [name, value] : impl_->robots_[i]->effects.draw()) {
+      all[impl_->setups_[i].name + "." + name] = value;
+    }
+  }
+  return all;
+}
 std::uint64_t World::hash() const { return impl_->hash(); }
 std::shared_ptr<const World::Snapshot> World::snapshot() const { return impl_->snapshot(); }
 void World::restore(const Snapshot& snapshot) { impl_->restore(snapshot); }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,11 +14,32 @@
 
 namespace nao::sim {
 
+class EffectCatalogue;
+
 /// A robot as it enters a world.
 struct RobotSetup {
   std::string name;
   std::shared_ptr<const RobotModel> model;
   Pose2 start;
+};
+
+/// How a world computes. The step divides every robot's cycle.
+enum class Mode {
+  Implicit,   // linearly implicit Euler: fast, steady at 1 to 5 ms
+  Rk4,        // Runge and Kutta's fourth order: for undamped truths, up to about 1.5 ms
+  Reference,  // Simbody's error-controlled Runge-Kutta-Merson: what the others are held against
+};
+
+struct WorldOptions {
+  /// A step alone is the common case.
+  template <class Rep, class Period>
+  WorldOptions(std::chrono::duration<Rep, Period> step_size) : step(step_size) {}  // NOLINT
+
+  Duration step;
+  Mode mode = Mode::Implicit;
+  /// 0: every run is the same. Else the robots' `variation` is on and drawn from this seed.
+  std::uint64_t seed = 0;
+  const EffectCatalogue* effects = nullptr;  // null: standardEffects()
 };
 
 /// The physical world: robots, balls, ground and obstacles. The whole public face of sim/.
@@ -26,7 +48,10 @@ struct RobotSetup {
 class World {
  public:
   /// @throws InputError if `step` is not 1 to 5 ms or does not divide every robot's cycle.
-  World(std::shared_ptr<const WorldModel> model, std::vector<RobotSetup> robots, Duration step);
+  /// Or if a robot's effects are not in the catalogue or, in the modes Rk4 and Reference, would
+  /// need friction or play: these two have ideal drives.
+  World(std::shared_ptr<const WorldModel> model, std::vector<RobotSetup> robots,
+        WorldOptions options);
   ~World();
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
@@ -60,6 +85,9 @@ class World {
   void placeBall(std::size_t ball, const Vec3& p_W, const Vec3& v_W);
   /// Everything back to how the world began; time goes on.
   void reset();
+
+  /// What this run's seed has drawn, by "robot.effect.name"; empty without a seed.
+  std::map<std::string, double> draw() const;
 
   /// A number that two runs share only if they are in the same state to the last bit.
   std::uint64_t hash() const;

@@ -109,11 +109,14 @@ constexpr double kNoEcho = 2.55;  // [m]
 
 void addSonar(const std::string& side, std::size_t receiver, Views& views) {
   const std::string key = std::string(kDevices) + "US/" + side + "/Sensor/Value";
-  addSensor(views, key, [receiver](const SensorFrame& sensors) { return sensors.sonar[receiver]; });
+  addSensor(views, key, [receiver](const SensorFrame& sensors) { return sensors.sonar[receiver][0]; });
   constexpr int kFurtherEchoes = 9;
   for (int echo = 1; echo <= kFurtherEchoes; ++echo) {
-    addSensor(views, key + std::to_string(echo), [receiver](const SensorFrame& sensors) {
-      return sensors.sonar[receiver] > 0 ? kNoEcho : 0;
+    addSensor(views, key + std::to_string(echo), [receiver, echo](const SensorFrame& sensors) {
+      const SonarEchoes& echoes = sensors.sonar[receiver];
+      const double distance = echoes[static_cast<std::size_t>(echo)];
+      if (echoes[0] <= 0) return 0.0;
+      return distance > 0 ? distance : kNoEcho;
     });
   }
 }
@@ -186,7 +189,7 @@ void addFootViews(const RobotModel& model, Views& views) {
 void addBoardViews(const RobotModel& model, Views& views) {
   const std::string devices = kDevices;
   addSensor(views, devices + "Battery/Charge/Sensor/Value",
-            [](const SensorFrame& sensors) { return sensors.battery_charge; });
+            [](const SensorFrame& sensors) { return sensors.battery.charge; });
   addSensor(views, devices + "Battery/Temperature/Sensor/Value", ambient);
   views["DCM/Time"] = {KeyType::Data, [](const SensorFrame& sensors, const MotionState&) {
                          using std::chrono::milliseconds;
@@ -197,11 +200,11 @@ void addBoardViews(const RobotModel& model, Views& views) {
   if (model.feet.size() != 2) return;  // what follows is on a Nao
   addSensor(views, devices + "Head/Temperature/Sensor/Value", ambient);
   addSensor(views, devices + "ChestBoard/Button/Sensor/Value",
-            [](const SensorFrame& sensors) { return sensors.chest_button ? 1 : 0; });
+            [](const SensorFrame& sensors) { return sensors.touch.chest_button ? 1 : 0; });
   addSonar("Left", 0, views);
   addSonar("Right", 1, views);
   addSensor(views, devices + "US/Sensor/Value", [](const SensorFrame& sensors) {
-    return std::min(sensors.sonar[0], sensors.sonar[1]);
+    return std::min(sensors.sonar[0][0], sensors.sonar[1][0]);
   });
 }
 

@@ -208,7 +208,8 @@ TEST(Renderer, TheHorizonIsAtEyeHeight) {
 TEST(Renderer, ASolidThatReachesBehindTheCameraIsCutNotLost) {
   SceneFrame scene = blackScene();
   // A table top 10 cm below the eye, from 1 m behind to 3 m ahead, 0.5 m wide.
-  worldOf(scene).obstacles = {makeShape(Shape::Kind::Box, {4, 0.5, 0.1}, kRed, {1, 0, 0.85})};
+  worldOf(scene).obstacles = {
+      {"", makeShape(Shape::Kind::Box, {4, 0.5, 0.1}, kRed, {1, 0, 0.85}), {}}};
   Renderer renderer;
   const View view = viewFrom({0, 0, 1}, 0);
   const Raster& raster = renderer.render(scene, view);
@@ -235,7 +236,8 @@ TEST(Renderer, NearThingsHideFarOnes) {
   const Shape far = makeShape(Shape::Kind::Cylinder, {0.3, 0, 1}, {0, 0, 255}, {2, 0, 1});
   scene.balls.push_back({0.05, {1.5, 0, 1}, kWhite, Mat3::Identity()});  // between, hidden
   for (const bool near_first : {true, false}) {
-    worldOf(scene).obstacles = {near_first ? near : far, near_first ? far : near};
+    worldOf(scene).obstacles = {{"", near_first ? near : far, {}},
+                                {"", near_first ? far : near, {}}};
     Renderer renderer;
     const Raster& raster = renderer.render(scene, viewFrom({0, 0, 1}, 0));
     const Pixel middle = raster.colors(240)[320];
@@ -251,7 +253,7 @@ TEST(Renderer, EverySolidCoversItsProjectedOutline) {
   const View view = viewFrom({0, 0, 1}, 0);
   const auto areaOf = [&](Shape::Kind kind, const Vec3& size) {
     SceneFrame scene = blackScene();
-    worldOf(scene).obstacles = {makeShape(kind, size, kWhite, {3, 0, 1})};
+    worldOf(scene).obstacles = {{"", makeShape(kind, size, kWhite, {3, 0, 1}), {}}};
     return redBlob(renderer.render(scene, view)).area;
   };
   const double f = view.lens.fx;

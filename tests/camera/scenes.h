@@ -60,7 +60,9 @@ inline SceneFrame fieldScene() {
     const Color color = side > 0 ? Color{240, 220, 0} : Color{0, 80, 220};
     for (const double post : {-0.75, 0.75}) {
       world.obstacles.push_back(
-          makeShape(Shape::Kind::Cylinder, {0.05, 0, 0.8}, color, {side * 3, post, 0.4}));
+          {"post",
+           makeShape(Shape::Kind::Cylinder, {0.05, 0, 0.8}, color, {side * 3, post, 0.4}),
+           {}});
     }
   }
   addLine(world, 0, -2, 0, 2);

@@ -83,7 +83,7 @@ TEST_F(ArmTest, LeavesOutWhatItDoesNotHave) {
   EXPECT_EQ(model_->start_posture, "");
   EXPECT_EQ(model_->body_type, "arm");
   EXPECT_EQ(model_->cycle, std::chrono::milliseconds(10));
-  EXPECT_EQ(model_->encoder_quantum, 0);
+  EXPECT_TRUE(model_->effects.empty());
 }
 
 TEST_F(ArmTest, HasTheGroupsEveryRobotHas) {

@@ -141,8 +141,8 @@ TEST(BrokenRobot, BodyComplaintsNameTheLine) {
             "broken/body.yaml:@: `efficiency`: expected a number in [0.01, 1], found '7'");
   EXPECT_EQ(body("cycle_ms", "cycle_ms", "cycle"),
             "broken/body.yaml:@: `cycle`: unknown key, expected one of actuators, aliases, "
-            "body_type, contact_spheres, coupled_limits, cycle_ms, drives, encoder_quantum, feet, "
-            "fixed_base, frames, groups, imu, repair_inertia, version");
+            "body_type, contact_spheres, coupled_limits, cycle_ms, drives, effects, "
+            "feet, fixed_base, frames, groups, imu, repair_inertia, variation, version");
   EXPECT_EQ(body("name: LKneePitch", "LKneePitch", "LKnee"),
             "broken/body.yaml:@: `name`: expected a joint of model.urdf, or a `range` beside it, "
             "found 'LKnee'");

@@ -80,7 +80,8 @@ TEST(WorldModel, Field2011IsTheSameFromBothSides) {
 TEST(WorldModel, Field2011HasAYellowGoalAheadAndABlueOneBehind) {
   const auto world = shipped("field_2011.yaml");
   ASSERT_EQ(world->obstacles.size(), 6u);
-  for (const Shape& part : world->obstacles) {
+  for (const Obstacle& obstacle : world->obstacles) {
+    const Shape& part = obstacle.shape;
     EXPECT_EQ(part.kind, Shape::Kind::Cylinder);
     EXPECT_DOUBLE_EQ(part.size.x(), 0.05);
     EXPECT_DOUBLE_EQ(std::abs(part.X_BS.translation().x()), 3);
@@ -117,10 +118,10 @@ robots:
 )"));
   EXPECT_EQ(world->name, "two_boxes");
   ASSERT_EQ(world->obstacles.size(), 2u);
-  EXPECT_EQ(world->obstacles[0].size, Vec3(1, 2, 1));
-  EXPECT_NEAR(rpyOf(world->obstacles[0].X_BS.linear()).z(), 1.5, 1e-12);
-  EXPECT_EQ(world->obstacles[0].color.blue, 3);
-  EXPECT_EQ(world->obstacles[1].kind, Shape::Kind::Sphere);
+  EXPECT_EQ(world->obstacles[0].shape.size, Vec3(1, 2, 1));
+  EXPECT_NEAR(rpyOf(world->obstacles[0].shape.X_BS.linear()).z(), 1.5, 1e-12);
+  EXPECT_EQ(world->obstacles[0].shape.color.blue, 3);
+  EXPECT_EQ(world->obstacles[1].shape.kind, Shape::Kind::Sphere);
   EXPECT_EQ(world->robots[0].model, "nao_h25_v50");
   EXPECT_DOUBLE_EQ(world->robots[0].start.theta, 0.5);
 }

@@ -25,7 +25,7 @@ class NaoDynamics : public testing::TestWithParam<const char*> {};
 TEST_P(NaoDynamics, MassMatrixIsSimbodys) {
   const auto model = test::robot(GetParam());
   Multibody multibody(*model, 9.80665);
-  MassMatrix mass(*model);
+  TreeDynamics mass(*model);
   TreeMatrix matrix(mass.parents());
   std::vector<BodyMotion> motion;
   Random random(1);

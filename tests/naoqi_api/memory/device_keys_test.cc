@@ -160,7 +160,7 @@ TEST_F(DeviceKeysTest, FeetWeighInKilograms) {
 }
 
 TEST_F(DeviceKeysTest, ButtonsAndBumpersShowOneWhenPressed) {
-  frame_.chest_button = true;
+  frame_.touch.chest_button = true;
   frame_.feet[index(Foot::Right)].bumper = {false, true};
   publish();
   EXPECT_FLOAT_EQ(read("Device/SubDeviceList/ChestBoard/Button/Sensor/Value"), 1);
@@ -172,7 +172,7 @@ TEST_F(DeviceKeysTest, ButtonsAndBumpersShowOneWhenPressed) {
 }
 
 TEST_F(DeviceKeysTest, FurtherEchoesAreFarAwayOnceTheSonarMeasures) {
-  frame_.sonar = {0.8, 0};
+  frame_.sonar[0][0] = 0.8;
   publish();
   EXPECT_FLOAT_EQ(read("Device/SubDeviceList/US/Left/Sensor/Value"), 0.8F);
   EXPECT_FLOAT_EQ(read("Device/SubDeviceList/US/Left/Sensor/Value9"), 2.55F);

@@ -11,9 +11,9 @@ namespace nao::sim {
 /// The joint-space inertia of a tree by the composite rigid body algorithm (Featherstone 2008,
 /// section 6.2), with every quantity about the root's origin along the axes of W: composite
 /// inertias then add up without any change of frame. Also answers how bodies move with u.
-class MassMatrix {
+class TreeDynamics {
  public:
-  explicit MassMatrix(const RobotModel& model);
+  explicit TreeDynamics(const RobotModel& model);
 
   /// Ancestors of each speed: the layout of TreeState::u as a tree.
   const std::vector<int>& parents() const { return parents_; }

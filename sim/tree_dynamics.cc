@@ -1,4 +1,4 @@
-#include "sim/mass_matrix.h"
+#include "sim/tree_dynamics.h"
 
 #include "core/check.h"
 
@@ -17,7 +17,7 @@ std::vector<int> speedParents(const RobotModel& model, int root_speeds) {
 
 }  // namespace
 
-MassMatrix::MassMatrix(const RobotModel& model)
+TreeDynamics::TreeDynamics(const RobotModel& model)
     : model_(model),
       root_speeds_(model.fixed_base ? 0 : 6),
       parents_(speedParents(model, root_speeds_)),
@@ -27,7 +27,7 @@ MassMatrix::MassMatrix(const RobotModel& model)
   NAO_CHECK(parents_.size() <= kMaxDepth);
 }
 
-void MassMatrix::setMotion(const std::vector<BodyMotion>& motion) {
+void TreeDynamics::setMotion(const std::vector<BodyMotion>& motion) {
   motion_ = &motion;
   for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
     axes_W_[i] = motion[i].R_WB * model_.bodies[i].axis;
@@ -35,7 +35,7 @@ void MassMatrix::setMotion(const std::vector<BodyMotion>& motion) {
   }
 }
 
-MassMatrix::SpatialInertia MassMatrix::inertiaOf(std::size_t i) const {
+TreeDynamics::SpatialInertia TreeDynamics::inertiaOf(std::size_t i) const {
   const Body& body = model_.bodies[i];
   const Mat3& R = (*motion_)[i].R_WB;
   const Vec3 com = arms_W_[i] + R * body.p_BoBcm;
@@ -47,7 +47,7 @@ MassMatrix::SpatialInertia MassMatrix::inertiaOf(std::size_t i) const {
   return out;
 }
 
-void MassMatrix::calc(TreeMatrix& matrix) const {
+void TreeDynamics::calc(TreeMatrix& matrix) const {
   const std::size_t count = model_.bodies.size();
   for (std::size_t i = 0; i < count; ++i) composites_[i] = inertiaOf(i);
   for (std::size_t i = count - 1; i > 0; --i) {
@@ -62,7 +62,7 @@ void MassMatrix::calc(TreeMatrix& matrix) const {
 }
 
 // The momentum of the subtree per unit of this speed, seen by every speed below it.
-void MassMatrix::addJoint(TreeMatrix& matrix, int speed, const SpatialInertia& c) const {
+void TreeDynamics::addJoint(TreeMatrix& matrix, int speed, const SpatialInertia& c) const {
   const auto body = static_cast<std::size_t>(speed - root_speeds_ + 1);
   const Vec3& w = axes_W_[body];
   const Vec3 v = arms_W_[body].cross(w);  // of the point of the subtree at the root's origin
@@ -76,7 +76,7 @@ void MassMatrix::addJoint(TreeMatrix& matrix, int speed, const SpatialInertia& c
   for (; i >= 0; --i) matrix.at(speed, i) = i < 3 ? angular[i] : linear[i - 3];
 }
 
-void MassMatrix::addRoot(TreeMatrix& matrix, const SpatialInertia& c) const {
+void TreeDynamics::addRoot(TreeMatrix& matrix, const SpatialInertia& c) const {
   Mat3 moment_cross;
   moment_cross << 0, -c.moment.z(), c.moment.y(), c.moment.z(), 0, -c.moment.x(), -c.moment.y(),
       c.moment.x(), 0;
@@ -92,7 +92,7 @@ void MassMatrix::addRoot(TreeMatrix& matrix, const SpatialInertia& c) const {
 }
 
 // The weight of the subtree behind each hinge, and its moment about the root's origin.
-void MassMatrix::addWeight(double gravity, Eigen::VectorXd& bias) const {
+void TreeDynamics::addWeight(double gravity, Eigen::VectorXd& bias) const {
   for (std::size_t i = 0; i < composites_.size(); ++i) {
     const SpatialInertia& c = composites_[i];
     const Vec3 lift(0, 0, gravity * c.mass);
@@ -107,7 +107,7 @@ void MassMatrix::addWeight(double gravity, Eigen::VectorXd& bias) const {
   }
 }
 
-void MassMatrix::calcPointJacobian(int body, const Vec3& p_W, PointJacobian& jacobian) const {
+void TreeDynamics::calcPointJacobian(int body, const Vec3& p_W, PointJacobian& jacobian) const {
   const Vec3 arm = p_W - (*motion_)[0].p_WB;
   int count = 0;
   for (int b = body; b > 0; b = model_.bodies[static_cast<std::size_t>(b)].parent, ++count) {
