@@ -1,93 +1,119 @@
 #include "sim/drive.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace nao::sim {
-namespace {
 
-// What gear and magnets of a motor without current hold, as a part of its stall torque. Estimate:
-// a Nao switched off in Crouch stays there, which takes 3 %.
-constexpr double kHold = 0.05;
-// [N m s/rad] The creep of a held joint: 0.4 N m would turn it by 1 degree in 12 hours.
-constexpr double kRest = 1e6;
-
-}  // namespace
-
-Drive::Drive(const RobotModel& model, int root_speeds)
-    : model_(model),
-      root_speeds_(root_speeds),
+Drive::Drive(const BodyPlan& plan, int root_speeds)
+    : root_speeds_(root_speeds),
       rotor_inertia_(
-          Eigen::VectorXd::Zero(root_speeds + static_cast<int>(model.coordinates.size()))),
-      motors_(model.jointCount()),
-      torque_(model.jointCount()) {
-  for (std::size_t j = 0; j < motors_.size(); ++j) {
-    const Actuator& actuator = model.actuators[j];
-    if (actuator.coordinates.empty()) continue;
-    motors_[j].share = 1.0 / static_cast<double>(actuator.coordinates.size());
-    for (const int c : actuator.coordinates) {
-      rotor_inertia_[root_speeds + c] = motors_[j].share * actuator.rotor_inertia;
-    }
+          Eigen::VectorXd::Zero(root_speeds + static_cast<int>(plan.model.coordinates.size()))),
+      angle_(plan.model.jointCount()),
+      rate_(plan.model.jointCount()),
+      torque_(plan.model.jointCount()),
+      load_(plan.model.jointCount()) {
+  for (std::size_t j = 0; j < plan.model.jointCount(); ++j) {
+    const Actuator& actuator = plan.model.actuators[j];
+    const std::vector<int>& hinges = actuator.coordinates;
+    if (hinges.empty()) continue;
+    NAO_CHECK(hinges.size() <= 2);
+    motors_.emplace_back(actuator, plan.transmissions[j], plan.servo_deadband[j],
+                         plan.joint_zero[j]);
+    const double share = 1.0 / static_cast<double>(hinges.size());
+    const int second = hinges.size() > 1 ? root_speeds + hinges[1] : -1;
+    places_.push_back({j, hinges[0], root_speeds + hinges[0], second, share, actuator.board});
+    if (motors_.back().soft()) continue;
+    for (const int c : hinges) rotor_inertia_[root_speeds + c] = share * actuator.rotor_inertia;
   }
 }
 
-void Drive::prepare(const JointCommand& command, const double* q, const double* u, double h) {
+void Drive::reset(const double* q) {
+  for (std::size_t i = 0; i < motors_.size(); ++i) {
+    motors_[i].reset(q[places_[i].coordinate]);
+    const std::size_t j = places_[i].joint;
+    angle_[j] = motors_[i].angle();
+    rate_[j] = torque_[j] = load_[j] = 0;
+  }
+}
+
+void Drive::observe(const double* q, const double* u) {
+  for (std::size_t i = 0; i < motors_.size(); ++i) {
+    const Place& place = places_[i];
+    motors_[i].observe(q[place.coordinate], u[place.coordinate]);
+    angle_[place.joint] = motors_[i].angle();
+    rate_[place.joint] = motors_[i].rate();
+  }
+}
+
+void Drive::prepare(const JointCommand& command, const double* q, const double* u, double h,
+                    const DriveTerms* terms) {
   h_ = h;
-  for (std::size_t j = 0; j < motors_.size(); ++j) {
-    const std::vector<int>& coordinates = model_.actuators[j].coordinates;
-    if (coordinates.empty()) continue;
-    prepareMotor(j, command, q[coordinates.front()], u[coordinates.front()], h);
+  GearedMotor::Input input;
+  input.h = h;
+  for (std::size_t i = 0; i < motors_.size(); ++i) {
+    const Place& place = places_[i];
+    const std::size_t j = place.joint;
+    input.q = q[place.coordinate];
+    input.u = u[place.coordinate];
+    input.command = command.angle[j];
+    input.stiffness = command.stiffness[j];
+    input.open = input.stiffness < 0 && boardIsOff(command, place);
+    if (terms) {
+      input.resist_forward = terms->resist_forward[j];
+      input.resist_backward = terms->resist_backward[j];
+      input.viscous = terms->viscous[j];
+      input.torque_part = terms->torque_part[j];
+      input.speed_part = terms->speed_part[j];
+      input.disturbance = terms->disturbance[j];
+    }
+    motors_[i].prepare(input);
   }
 }
 
-void Drive::prepareMotor(std::size_t j, const JointCommand& command, double q, double u, double h) {
-  const Actuator& actuator = model_.actuators[j];
-  Motor& motor = motors_[j];
-  motor.saturated = false;
-  const double stiffness = std::min(command.stiffness[j], 1.0);
-  if (stiffness <= 0) return prepareLimp(actuator, stiffness < 0, u, motor);
-  motor.now = actuator.kp * (command.angle[j] - q - h * u) - actuator.kd * u;
-  motor.change = actuator.kp * h + actuator.kd;
-  const double limit = stiffness * actuator.efficiency * actuator.stall_torque;
-  const double ratio = u / actuator.no_load_speed;
-  motor.limit_up = limit * std::clamp(1 - ratio, 0.0, 1.0);
-  motor.limit_down = limit * std::clamp(1 + ratio, 0.0, 1.0);
-}
-
-// The joint rests unless more than the motor's hold pulls at it; then it moves against that and,
-// with the windings shorted, against the brake.
-void Drive::prepareLimp(const Actuator& actuator, bool open, double u, Motor& motor) {
-  const double brake = open ? 0 : actuator.stall_torque / actuator.no_load_speed;
-  motor.change = kRest;
-  motor.now = -kRest * u;
-  motor.limit_up = motor.limit_down = kHold * actuator.stall_torque + brake * std::abs(u);
+bool Drive::boardIsOff(const JointCommand& command, const Place& place) const {
+  if (place.board < 0) return true;
+  for (const Place& other : places_) {
+    if (other.board == place.board && command.stiffness[other.joint] >= 0) return false;
+  }
+  return true;
 }
 
 void Drive::addTo(TreeMatrix& matrix, Eigen::VectorXd& rhs) const {
-  for (std::size_t j = 0; j < motors_.size(); ++j) {
-    const Motor& motor = motors_[j];
-    for (const int c : model_.actuators[j].coordinates) {
-      const int speed = root_speeds_ + c;
-      rhs[speed] += h_ * motor.share * motor.now;
-      matrix.at(speed, speed) += h_ * motor.share * motor.change;
-    }
+  for (std::size_t i = 0; i < motors_.size(); ++i) {
+    const Place& place = places_[i];
+    const double push = h_ * place.share * motors_[i].now();
+    const double fall = h_ * place.share * motors_[i].change();
+    rhs[place.speed] += push;
+    matrix.at(place.speed, place.speed) += fall;
+    if (place.second < 0) continue;
+    rhs[place.second] += push;
+    matrix.at(place.second, place.second) += fall;
   }
 }
 
 bool Drive::revise(const Eigen::VectorXd& du) {
   bool changed = false;
-  for (std::size_t j = 0; j < motors_.size(); ++j) {
-    Motor& motor = motors_[j];
-    if (model_.actuators[j].coordinates.empty()) continue;
-    const double rate_change = du[root_speeds_ + model_.actuators[j].coordinates.front()];
-    torque_[j] = motor.now - motor.change * rate_change;
-    if (motor.saturated) continue;
-    if (torque_[j] <= motor.limit_up && torque_[j] >= -motor.limit_down) continue;
-    motor.now = torque_[j] > 0 ? motor.limit_up : -motor.limit_down;
-    motor.change = 0;
-    motor.saturated = changed = true;
+  for (std::size_t i = 0; i < motors_.size(); ++i) {
+    changed |= motors_[i].revise(du[places_[i].speed]);
   }
   return changed;
+}
+
+void Drive::finish(const Eigen::VectorXd& du) {
+  for (std::size_t i = 0; i < motors_.size(); ++i) {
+    motors_[i].finish(du[places_[i].speed]);
+    torque_[places_[i].joint] = motors_[i].torque();
+    load_[places_[i].joint] = motors_[i].load();
+  }
+}
+
+void Drive::archive(Archive& archive) {
+  for (std::size_t i = 0; i < motors_.size(); ++i) {
+    motors_[i].archive(archive);
+    const std::size_t j = places_[i].joint;
+    angle_[j] = motors_[i].angle();
+    rate_[j] = motors_[i].rate();
+    torque_[j] = motors_[i].torque();
+    load_[j] = motors_[i].load();
+  }
 }
 
 }  // namespace nao::sim

@@ -3,55 +3,66 @@
 #include <vector>
 
 #include "core/robot_io.h"
-#include "core/robot_model.h"
+#include "sim/body_plan.h"
+#include "sim/effects/effect.h"
+#include "sim/geared_motor.h"
 #include "sim/tree_matrix.h"
 
 namespace nao::sim {
 
-/// The ideal motors of a robot, linearly implicit in the joint's angle and rate:
-///   torque = kp (command - angle) - kd rate,   |torque| <= stiffness * efficiency * stall *
-///                                              (1 - |rate| / no-load speed while driving)
-/// Stiffness scales the torque limit, not the gains. At stiffness 0 or below a motor only holds
-/// still, with 5 % of its stall torque; once moved, at stiffness 0, it also brakes like a shorted
-/// one, torque = -(stall / no-load speed) rate. Deviations are effects.
+/// The motors of a robot between its command and its tree; the law stands in geared_motor.h. A
+/// motor of stiffness below 0 does not even brake if all motors of its board are below 0.
 class Drive {
  public:
-  Drive(const RobotModel& model, int root_speeds);
+  Drive(const BodyPlan& plan, int root_speeds);
 
-  /// Rotor inertia by speed [kg m^2]; a motor that turns two hinges counts once.
+  /// Rotor inertia that moves rigidly with the speeds of the tree [kg m^2]; that of a motor with
+  /// two hinges counts once.
   const Eigen::VectorXd& rotorInertia() const { return rotor_inertia_; }
 
-  /// Starts a step of `h` [s] from angles `q` and rates `u`, both by coordinate.
-  void prepare(const JointCommand& command, const double* q, const double* u, double h);
+  /// All rotors at rest where their joints are.
+  void reset(const double* q);
+
+  /// Takes over angles `q` [rad] and rates `u` [rad/s] by coordinate, so that angle() and rate()
+  /// are of now. To be called whenever the tree has moved.
+  void observe(const double* q, const double* u);
+
+  const JointArray<double>& angle() const { return angle_; }    // [rad] as motor encoders report
+  const JointArray<double>& rate() const { return rate_; }      // [rad/s] of the rotors
+  const JointArray<double>& torque() const { return torque_; }  // [N m] of the motors, last step
+  const JointArray<double>& load() const { return load_; }      // [N m] through the gears
+
+  /// Starts a step of `h` [s]. `terms` null: no effect acts on the drives.
+  void prepare(const JointCommand& command, const double* q, const double* u, double h,
+               const DriveTerms* terms);
 
   /// Adds the torques and their change along the step.
   void addTo(TreeMatrix& matrix, Eigen::VectorXd& rhs) const;
 
-  /// After a solve for the change of speeds `du`: motors beyond their limit now give just that.
-  /// True if any changed, so that the step must be solved again.
+  /// After a solve for the change of speeds `du`: true if a motor changed its mind: solve again.
   bool revise(const Eigen::VectorXd& du);
 
-  /// Torque [N m] of each motor over the step solved last.
-  const JointArray<double>& torque() const { return torque_; }
+  /// Ends the step.
+  void finish(const Eigen::VectorXd& du);
+
+  void archive(Archive& archive);
 
  private:
-  struct Motor {
-    double share = 1;     // of each hinge in the motor's torque
-    double limit_up = 0;  // [N m] largest torque
-    double limit_down = 0;
-    double now = 0;     // [N m] at the start of the step, with the rate carried on
-    double change = 0;  // [N m s/rad] its fall per unit of change of rate
-    bool saturated = false;
+  struct Place {  // of a motor with hinges
+    std::size_t joint;
+    int coordinate;     // of its first hinge
+    int speed, second;  // in u; second -1: one hinge
+    double share;       // of each hinge in the torque
+    int board;
   };
-  static void prepareLimp(const Actuator& actuator, bool open, double u, Motor& motor);
-  void prepareMotor(std::size_t joint, const JointCommand& command, double q, double u, double h);
+  bool boardIsOff(const JointCommand& command, const Place& place) const;
 
-  const RobotModel& model_;
   int root_speeds_;
   double h_ = 0;
+  std::vector<Place> places_;
+  std::vector<GearedMotor> motors_;  // by place
   Eigen::VectorXd rotor_inertia_;
-  std::vector<Motor> motors_;
-  JointArray<double> torque_;
+  JointArray<double> angle_, rate_, torque_, load_;
 };
 
 }  // namespace nao::sim

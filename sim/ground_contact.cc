@@ -41,6 +41,30 @@ void GroundContact::addFoot(const FootModel& foot, int index) {
   }
 }
 
+void GroundContact::reset() {
+  std::fill(anchors_.begin(), anchors_.end(), Anchor());
+  forces_.clear();
+}
+
+void GroundContact::archive(Archive& archive) {
+  for (Anchor& anchor : anchors_) {
+    archive.value(anchor.touching);
+    archive.value(anchor.sliding);
+    archive.value(anchor.load);
+    archive.numbers(anchor.place);
+  }
+  auto count = static_cast<std::uint64_t>(forces_.size());
+  archive.value(count);
+  if (archive.mode() == Archive::Mode::Load) forces_.resize(static_cast<std::size_t>(count));
+  for (Force& force : forces_) {
+    archive.value(force.body);
+    archive.value(force.foot);
+    archive.numbers(force.p_B);
+    archive.numbers(force.f_W);
+    archive.value(force.depth);
+  }
+}
+
 double GroundContact::lowestPoint(const std::vector<BodyMotion>& motion) const {
   double lowest = std::numeric_limits<double>::max();
   for (const Point& point : points_) {
@@ -145,18 +169,17 @@ void GroundContact::addTo(TreeMatrix& matrix, Eigen::VectorXd& rhs) const {
     for (int axis = 0; axis < 3; ++axis) {
       const double* row = touch.jacobian.row[axis];
       matrix.addOuterProduct(touch.jacobian.leaf, row, h_ * touch.change[axis]);
-      const double impulse = h_ * touch.now[axis];
-      for (int i = touch.jacobian.leaf; i >= 0; i = matrix.parent(i)) rhs[i] += impulse * *row++;
+      matrix.addScaled(touch.jacobian.leaf, row, h_ * touch.now[axis], rhs);
     }
   }
 }
 
 Vec3 GroundContact::velocityChange(const Touch& touch, const Eigen::VectorXd& du) const {
+  const TreeDynamics::PointJacobian& jacobian = touch.jacobian;
   Vec3 change = Vec3::Zero();
-  const std::vector<int>& parents = mass_->parents();
-  int k = 0;
-  for (int i = touch.jacobian.leaf; i >= 0; i = parents[static_cast<std::size_t>(i)], ++k) {
-    for (int axis = 0; axis < 3; ++axis) change[axis] += touch.jacobian.row[axis][k] * du[i];
+  for (int k = 0; k < jacobian.count; ++k) {
+    const double speed = du[jacobian.speed[k]];
+    for (int axis = 0; axis < 3; ++axis) change[axis] += jacobian.row[axis][k] * speed;
   }
   return change;
 }

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/archive.h"
 #include "core/robot_model.h"
 #include "core/world_model.h"
 #include "sim/tree_dynamics.h"
@@ -33,8 +34,9 @@ class GroundContact {
 
   GroundContact(const RobotModel& model, const Material& material);
 
-  std::vector<Anchor>& anchors() { return anchors_; }
-  const std::vector<Anchor>& anchors() const { return anchors_; }
+  /// Nothing touches any more.
+  void reset();
+  void archive(Archive& archive);
 
   /// Starts a step of `h` [s]: finds the points that touch within it.
   void prepare(const std::vector<BodyMotion>& motion, const TreeDynamics& mass, double h);

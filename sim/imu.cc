@@ -30,6 +30,13 @@ void Imu::sample(const std::vector<BodyMotion>& motion, Duration cycle, SensorFr
   frame.angle_z = state_.yaw;
 }
 
+void Imu::archive(Archive& archive) {
+  archive.value(state_.started);
+  archive.numbers(state_.v_W);
+  archive.numbers(state_.down_T);
+  archive.value(state_.yaw);
+}
+
 void Imu::fuse(const SensorFrame& frame, double dt) {
   Vec3& down = state_.down_T;
   state_.yaw = wrapAngle(state_.yaw - dt * down.dot(frame.gyroscope));

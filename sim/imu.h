@@ -1,8 +1,9 @@
 #pragma once
 
+#include "core/archive.h"
 #include "core/robot_io.h"
 #include "core/robot_model.h"
-#include "sim/multibody.h"
+#include "sim/body_motion.h"
 
 namespace nao::sim {
 
@@ -19,6 +20,7 @@ class Imu {
     Vec3 down_T = Vec3::Zero();  // unit vector, as the unit believes
     double yaw = 0;              // [rad]
   };
+  void archive(Archive& archive);
   State& state() { return state_; }
   const State& state() const { return state_; }
 

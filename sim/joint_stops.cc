@@ -35,7 +35,9 @@ void JointStops::prepare(const double* q, const double* u, double h) {
     lower_.push_back(coordinate.lower);
     upper_.push_back(coordinate.upper);
   }
-  for (const CoupledLimit& limit : model_.coupled_limits) narrow(limit, q);
+  for (const CoupledLimit& limit : model_.coupled_limits) {
+    if (limit.stop) narrow(limit, q);
+  }
   for (std::size_t i = 0; i < lower_.size(); ++i) {
     const double next = q[i] + h * u[i];
     const int speed = root_speeds_ + static_cast<int>(i);

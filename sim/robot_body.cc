@@ -18,91 +18,86 @@ Eigen::Vector4d rotated(const Eigen::Vector4d& wxyz, const Vec3& w_W, double h) 
 
 }  // namespace
 
-RobotBody::RobotBody(std::shared_ptr<const RobotModel> model, const WorldModel& world)
-    : model_(std::move(model)),
-      gravity_(world.gravity),
-      multibody_(*model_, world.gravity),
-      mass_(*model_),
-      drive_(*model_, multibody_.rootSpeedCount()),
-      stops_(*model_, multibody_.rootSpeedCount()),
-      contact_(*model_, world.ground),
-      inertia_(mass_.parents()),
-      system_(mass_.parents()),
-      external_(Eigen::VectorXd::Zero(multibody_.speedCount())) {
-  place({}, JointArray<double>(model_->jointCount()));
+RobotBody::RobotBody(BodyPlan plan)
+    : plan_(std::make_unique<const BodyPlan>(std::move(plan))),
+      dynamics_(plan_->model),
+      drive_(*plan_, dynamics_.rootSpeedCount()),
+      stops_(plan_->model, dynamics_.rootSpeedCount()),
+      contact_(plan_->model, plan_->ground),
+      tree_(dynamics_.zeroState()),
+      hands_(plan_->model.jointCount()),
+      inertia_(dynamics_.parents()),
+      system_(dynamics_.parents()),
+      mobility_(dynamics_.parents()),
+      external_(Eigen::VectorXd::Zero(dynamics_.speedCount())) {
+  dynamics_.setDamping(plan_->linear_damping, plan_->angular_damping);
+  place({}, JointArray<double>(model().jointCount()));
 }
 
-void RobotBody::setState(State state) {
-  state_ = std::move(state);
-  contact_.anchors() = state_.anchors;
-  updateMotion();
+void RobotBody::setTree(TreeState tree) {
+  tree_ = std::move(tree);
+  contact_.reset();
+  drive_.reset(coordinates());
+  moved();
 }
 
 void RobotBody::place(const Pose2& pose, const JointArray<double>& angles) {
-  State state{multibody_.zeroState(), {}, JointArray<double>(model_->jointCount())};
-  state.anchors.resize(contact_.anchors().size());
-  const int root = multibody_.rootPositionCount();
-  for (std::size_t j = 0; j < model_->jointCount(); ++j) {
-    for (const int c : model_->actuators[j].coordinates) state.tree.q[root + c] = angles[j];
-    if (model_->actuators[j].coordinates.empty()) state.hands[j] = angles[j];
+  TreeState tree = dynamics_.zeroState();
+  const int root = dynamics_.rootPositionCount();
+  for (std::size_t j = 0; j < model().jointCount(); ++j) {
+    const std::vector<int>& hinges = model().actuators[j].coordinates;
+    for (const int c : hinges) tree.q[root + c] = angles[j] + plan_->joint_zero[j];
+    if (hinges.empty()) hands_[j] = angles[j];
   }
-  setState(state);
+  setTree(tree);
   if (root == 0) return;
   const Eigen::Quaterniond upright = Eigen::AngleAxisd(pose.theta, Vec3::UnitZ()) * levelSoles();
-  state.tree.q.head<7>() << upright.w(), upright.x(), upright.y(), upright.z(), pose.x, pose.y, 0;
-  setState(state);
-  state.tree.q[6] = -contact_.lowestPoint(motion_);
-  setState(std::move(state));
+  tree.q.head<7>() << upright.w(), upright.x(), upright.y(), upright.z(), pose.x, pose.y, 0;
+  setTree(tree);
+  tree.q[6] = -lowestPoint();
+  setTree(std::move(tree));
 }
 
 // The turn from the present attitude to one with both soles level on average.
 Eigen::Quaterniond RobotBody::levelSoles() const {
   Vec3 up = Vec3::Zero();
-  for (const FootModel& foot : model_->feet) {
-    up += motion_[static_cast<std::size_t>(foot.body)].R_WB * foot.X_BS.linear().col(2);
+  for (const FootModel& foot : model().feet) {
+    up += motion()[static_cast<std::size_t>(foot.body)].R_WB * foot.X_BS.linear().col(2);
   }
   if (up.norm() < 1e-6) return Eigen::Quaterniond::Identity();
   return Eigen::Quaterniond::FromTwoVectors(up, Vec3::UnitZ());
 }
 
-const double* RobotBody::coordinates() const {
-  return state_.tree.q.data() + multibody_.rootPositionCount();
-}
-const double* RobotBody::rates() const {
-  return state_.tree.u.data() + multibody_.rootSpeedCount();
-}
-
 double RobotBody::angle(Joint joint) const {
-  const std::vector<int>& c = model_->actuators[index(joint)].coordinates;
-  return c.empty() ? state_.hands[joint] : coordinates()[c.front()];
+  const bool hand = model().actuators[index(joint)].coordinates.empty();
+  return hand ? hands_[joint] : drive_.angle()[joint];
 }
 
-double RobotBody::rate(Joint joint) const {
-  const std::vector<int>& c = model_->actuators[index(joint)].coordinates;
-  return c.empty() ? 0 : rates()[c.front()];
-}
+double RobotBody::rate(Joint joint) const { return drive_.rate()[joint]; }
 
-bool RobotBody::finite() const { return state_.tree.q.allFinite() && state_.tree.u.allFinite(); }
-
-void RobotBody::step(const JointCommand& command, const std::vector<ExternalForce>& external,
-                     double h) {
-  multibody_.calcVelocityBias(bias_);
-  mass_.calc(inertia_);
-  mass_.addWeight(gravity_, bias_);
-  inertia_.addDiagonal(drive_.rotorInertia());
-  drive_.prepare(command, coordinates(), rates(), h);
+void RobotBody::step(const JointCommand& command, const DriveTerms* terms,
+                     const std::vector<ExternalForce>& external, double h) {
+  dynamics_.calcBias(plan_->gravity, bias_);
+  needInertia();
+  drive_.prepare(command, coordinates(), rates(), h, terms);
   stops_.prepare(coordinates(), rates(), h);
-  contact_.prepare(motion_, mass_, h);
+  contact_.prepare(motion(), dynamics_, h);
   solve(external, h);
   contact_.finish(du_);
-  state_.anchors = contact_.anchors();
+  drive_.finish(du_);
   integrate(h);
   moveHands(command, h);
-  updateMotion();
+  moved();
+}
+
+void RobotBody::needInertia() {
+  if (inertia_known_) return;
+  dynamics_.calcMassMatrix(inertia_);
+  inertia_.addDiagonal(drive_.rotorInertia());
+  inertia_known_ = true;
 }
 
 void RobotBody::solve(const std::vector<ExternalForce>& external, double h) {
-  external_.setZero();
   addExternal(external, h);
   for (solves_ = 1;; ++solves_) {
     system_ = inertia_;
@@ -123,26 +118,24 @@ void RobotBody::solve(const std::vector<ExternalForce>& external, double h) {
 }
 
 void RobotBody::addExternal(const std::vector<ExternalForce>& external, double h) {
+  external_.setZero();
   TreeDynamics::PointJacobian jacobian;
   for (const ExternalForce& force : external) {
-    mass_.calcPointJacobian(force.body, force.p_W, jacobian);
-    int k = 0;
-    for (int i = jacobian.leaf; i >= 0; i = system_.parent(i), ++k) {
-      for (int axis = 0; axis < 3; ++axis) {
-        external_[i] += h * force.f_W[axis] * jacobian.row[axis][k];
-      }
+    dynamics_.calcPointJacobian(force.body, force.p_W, jacobian);
+    for (int axis = 0; axis < 3; ++axis) {
+      system_.addScaled(jacobian.leaf, jacobian.row[axis], h * force.f_W[axis], external_);
     }
   }
 }
 
 // Hinges of one motor end the step at one angle: the impulse between them that does so.
 void RobotBody::tieSharedHinges(double h) {
-  for (const Actuator& actuator : model_->actuators) {
+  for (const Actuator& actuator : model().actuators) {
     for (std::size_t i = 1; i < actuator.coordinates.size(); ++i) {
       const int a = actuator.coordinates.front();
       const int b = actuator.coordinates[i];
-      const int speed_a = multibody_.rootSpeedCount() + a;
-      const int speed_b = multibody_.rootSpeedCount() + b;
+      const int speed_a = dynamics_.rootSpeedCount() + a;
+      const int speed_b = dynamics_.rootSpeedCount() + b;
       tie_.setZero(du_.size());
       tie_[speed_a] = 1;
       tie_[speed_b] = -1;
@@ -155,31 +148,74 @@ void RobotBody::tieSharedHinges(double h) {
 }
 
 void RobotBody::integrate(double h) {
-  TreeState& tree = state_.tree;
-  tree.u += du_;
-  const int root_q = multibody_.rootPositionCount();
-  const int root_u = multibody_.rootSpeedCount();
+  tree_.u += du_;
+  const int root_q = dynamics_.rootPositionCount();
+  const int root_u = dynamics_.rootSpeedCount();
   if (root_q > 0) {
-    tree.q.head<4>() = rotated(tree.q.head<4>(), tree.u.head<3>(), h);
-    tree.q.segment<3>(4) += h * tree.u.segment<3>(3);
+    tree_.q.head<4>() = rotated(tree_.q.head<4>(), tree_.u.head<3>(), h);
+    tree_.q.segment<3>(4) += h * tree_.u.segment<3>(3);
   }
-  const auto joints = tree.u.size() - root_u;
-  tree.q.segment(root_q, joints) += h * tree.u.segment(root_u, joints);
+  const auto joints = tree_.u.size() - root_u;
+  tree_.q.segment(root_q, joints) += h * tree_.u.segment(root_u, joints);
 }
 
 void RobotBody::moveHands(const JointCommand& command, double h) {
-  for (std::size_t j = 0; j < model_->jointCount(); ++j) {
-    const Actuator& actuator = model_->actuators[j];
+  for (std::size_t j = 0; j < model().jointCount(); ++j) {
+    const Actuator& actuator = model().actuators[j];
     if (!actuator.coordinates.empty() || command.stiffness[j] <= 0) continue;
     const double reach = actuator.max_velocity * h;
-    state_.hands[j] += std::clamp(command.angle[j] - state_.hands[j], -reach, reach);
+    hands_[j] += std::clamp(command.angle[j] - hands_[j], -reach, reach);
   }
 }
 
-void RobotBody::updateMotion() {
-  multibody_.setState(state_.tree);
-  multibody_.calcMotion(motion_);
-  mass_.setMotion(motion_);
+void RobotBody::moved() {
+  dynamics_.setState(tree_);
+  drive_.observe(coordinates(), rates());
+  inertia_known_ = mobility_known_ = false;
+}
+
+void RobotBody::needMobility() {
+  if (mobility_known_) return;
+  needInertia();
+  mobility_ = inertia_;
+  mobility_.factor();
+  mobility_known_ = true;
+}
+
+void RobotBody::addPush(int body, const Vec3& p_W, const Vec3& n_W, double sign) {
+  TreeDynamics::PointJacobian jacobian;
+  dynamics_.calcPointJacobian(body, p_W, jacobian);
+  for (int axis = 0; axis < 3; ++axis) {
+    mobility_.addScaled(jacobian.leaf, jacobian.row[axis], sign * n_W[axis], push_);
+  }
+}
+
+double RobotBody::calcMobility(int body, const Vec3& p_W, const Vec3& n_W) {
+  needMobility();
+  push_.setZero(dynamics_.speedCount());
+  addPush(body, p_W, n_W, 1);
+  tie_ = push_;
+  mobility_.solve(tie_);
+  return push_.dot(tie_);
+}
+
+double RobotBody::calcMobility(int body_a, int body_b, const Vec3& p_W, const Vec3& n_W) {
+  needMobility();
+  push_.setZero(dynamics_.speedCount());
+  addPush(body_a, p_W, n_W, 1);
+  addPush(body_b, p_W, n_W, -1);
+  tie_ = push_;
+  mobility_.solve(tie_);
+  return push_.dot(tie_);
+}
+
+void RobotBody::archive(Archive& archive) {
+  archive.numbers(tree_.q);
+  archive.numbers(tree_.u);
+  archive.value(hands_);
+  drive_.archive(archive);
+  contact_.archive(archive);
+  if (archive.mode() == Archive::Mode::Load) moved();
 }
 
 }  // namespace nao::sim

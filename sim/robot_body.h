@@ -3,13 +3,12 @@
 #include <memory>
 #include <vector>
 
+#include "core/archive.h"
 #include "core/robot_io.h"
-#include "core/robot_model.h"
-#include "core/world_model.h"
+#include "sim/body_plan.h"
 #include "sim/drive.h"
 #include "sim/ground_contact.h"
 #include "sim/joint_stops.h"
-#include "sim/multibody.h"
 #include "sim/tree_dynamics.h"
 
 namespace nao::sim {
@@ -22,44 +21,49 @@ struct ExternalForce {
 };
 
 /// One robot's physics. A step is linearly implicit Euler in all that is stiff (motors, rotor
-/// inertia, joint stops, ground), the rest explicit:
+/// inertia, friction, joint stops, ground), the rest explicit:
 ///   (M + J_rotor + h D + h^2 K) du = h (f(q + h u, u) - bias(q, u)),   q += h (u + du)
 /// Limits (torque, pull, friction) are found by solving again with what exceeds them held at its
 /// limit. Hinges that share a motor are tied exactly by one more solve with the same factors.
 class RobotBody {
  public:
-  RobotBody(std::shared_ptr<const RobotModel> model, const WorldModel& world);
+  explicit RobotBody(BodyPlan plan);
 
-  const RobotModel& model() const { return *model_; }
+  const RobotModel& model() const { return plan_->model; }
+  const BodyPlan& plan() const { return *plan_; }
 
-  /// All that moves; with the anchors inside, a value from which the motion goes on bit by bit.
-  struct State {
-    TreeState tree;
-    std::vector<GroundContact::Anchor> anchors;
-    JointArray<double> hands;  // 0..1, for motors without a hinge
-  };
-  const State& state() const { return state_; }
-  void setState(State state);
+  const TreeState& tree() const { return tree_; }
+  /// Moves the tree as it is; rotors and anchors start afresh.
+  void setTree(TreeState tree);
 
-  /// At rest with these joint angles, soles level (or else the root upright), lowest point of the
-  /// robot on the ground.
+  /// At rest with these angles at its encoders, soles level (or else the root upright), lowest
+  /// point of the robot on the ground.
   void place(const Pose2& pose, const JointArray<double>& angles);
 
-  /// Lets `command` act for `h` [s].
-  void step(const JointCommand& command, const std::vector<ExternalForce>& external, double h);
+  /// Lets `command` act for `h` [s]. `terms` null: no effect acts on the drives.
+  void step(const JointCommand& command, const DriveTerms* terms,
+            const std::vector<ExternalForce>& external, double h);
 
   /// Where the bodies are now, in W.
-  const std::vector<BodyMotion>& motion() const { return motion_; }
-  /// Angle of a joint [rad]; hands 0..1.
+  const std::vector<BodyMotion>& motion() const { return dynamics_.motion(); }
+  const Drive& drive() const { return drive_; }
+  /// What a joint's encoder reports, on the motor's side of the gear [rad]; hands 0..1.
   double angle(Joint joint) const;
   double rate(Joint joint) const;  // [rad/s]
-  /// Torque of each motor over the last step [N m].
-  const JointArray<double>& torque() const { return drive_.torque(); }
   const std::vector<GroundContact::Force>& groundForces() const { return contact_.forces(); }
+  /// Height [m] of the robot's lowest point.
+  double lowestPoint() const { return contact_.lowestPoint(motion()); }
   int solves() const { return solves_; }  // of the last step
 
+  /// How fast [m/s] a point of a body moves along the unit vector `n_W` per unit impulse [N s]
+  /// along it, with limp joints; the second form: of body a against body b, pushed apart.
+  double calcMobility(int body, const Vec3& p_W, const Vec3& n_W);
+  double calcMobility(int body_a, int body_b, const Vec3& p_W, const Vec3& n_W);
+
   /// False once a number is no longer finite: the world must stop.
-  bool finite() const;
+  bool finite() const { return tree_.q.allFinite() && tree_.u.allFinite(); }
+
+  void archive(Archive& archive);
 
  private:
   void solve(const std::vector<ExternalForce>& external, double h);
@@ -67,24 +71,27 @@ class RobotBody {
   void tieSharedHinges(double h);
   void integrate(double h);
   void moveHands(const JointCommand& command, double h);
-  void updateMotion();
+  void moved();
+  void needInertia();
+  void needMobility();
+  void addPush(int body, const Vec3& p_W, const Vec3& n_W, double sign);
   Eigen::Quaterniond levelSoles() const;
-  const double* coordinates() const;
-  const double* rates() const;
+  const double* coordinates() const { return tree_.q.data() + dynamics_.rootPositionCount(); }
+  const double* rates() const { return tree_.u.data() + dynamics_.rootSpeedCount(); }
 
   static constexpr int kMaxSolves = 6;
 
-  std::shared_ptr<const RobotModel> model_;
-  double gravity_;  // [m/s^2]
-  Multibody multibody_;
-  TreeDynamics mass_;
+  std::unique_ptr<const BodyPlan> plan_;  // others keep references to its model
+  TreeDynamics dynamics_;
   Drive drive_;
   JointStops stops_;
   GroundContact contact_;
-  State state_;
-  std::vector<BodyMotion> motion_;
-  TreeMatrix inertia_, system_;
-  Eigen::VectorXd bias_, external_, du_, tie_;
+  TreeState tree_;
+  JointArray<double> hands_;  // 0..1, for motors without a hinge
+  TreeMatrix inertia_, system_, mobility_;
+  bool inertia_known_ = false;  // of the present tree
+  bool mobility_known_ = false;
+  Eigen::VectorXd bias_, external_, du_, tie_, push_;
   int solves_ = 0;
 };
 

@@ -21,7 +21,9 @@ Filled randomMatrix() {
   for (const int leaf : {4, 6, 4, 6, 3}) {
     std::vector<double> row;
     Eigen::VectorXd full = Eigen::VectorXd::Zero(7);
-    for (int i = leaf; i >= 0; i = out.tree.parent(i)) full[i] = row.emplace_back(random.normal());
+    for (int c = 0; c < out.tree.depth(leaf); ++c) {
+      full[out.tree.chain(leaf)[c]] = row.emplace_back(random.normal());
+    }
     out.tree.addOuterProduct(leaf, row.data(), 0.5);
     out.dense += 0.5 * full * full.transpose();
   }

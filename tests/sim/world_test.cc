@@ -25,6 +25,14 @@ void run(World& world, Duration duration) {
   for (const SimTime end = world.now() + duration; world.now() < end;) world.step();
 }
 
+// Sends the command every cycle, as a control side does: motors want an order every 500 ms.
+void hold(World& world, const JointCommand& command, Duration duration) {
+  for (const SimTime end = world.now() + duration; world.now() < end;) {
+    world.setCommand(0, command);
+    for (Duration t{}; t < 10ms && world.now() < end; t += world.stepSize()) world.step();
+  }
+}
+
 Vec3 torso(const World& world) { return world.scene().robots[0].X_WB[0].translation(); }
 
 double tilt(const World& world) {  // [rad] of the torso from upright
@@ -41,11 +49,10 @@ TEST_P(StandingNao, StaysWhereItStands) {
   World world = worldWith(model_);
   world.placeRobot(0, {}, &command_.angle);
   const double placed = tilt(world);
-  world.setCommand(0, command_);
-  run(world, 2000ms);  // the legs give way under the weight, and the body stops swaying
+  hold(world, command_, 2000ms);  // the legs give way under the weight, and the body stops swaying
   const Vec3 before = torso(world);
   const double tilt_before = tilt(world);
-  run(world, 8000ms);
+  hold(world, command_, 8000ms);
   EXPECT_LT((torso(world) - before).head<2>().norm(), 1e-3);  // [m] physics.md: 0.06 mm in 9 s
   EXPECT_LT(std::abs(tilt(world) - tilt_before), 0.1 * M_PI / 180);
   EXPECT_NEAR(tilt(world), placed, 1 * M_PI / 180);  // what the legs give way
@@ -55,12 +62,11 @@ TEST_P(StandingNao, StaysWhereItStands) {
 TEST_P(StandingNao, FeetCarryItsWeightAndTheUnitFeelsGravity) {
   World world = worldWith(model_);
   world.placeRobot(0, {}, &command_.angle);
-  world.setCommand(0, command_);
   for (int k = 0; k < 300; ++k) {
-    run(world, 10ms);
+    hold(world, command_, 10ms);
     world.readSensors(0);
   }
-  run(world, 10ms);
+  hold(world, command_, 10ms);
   const SensorFrame frame = world.readSensors(0);
   const double weight = model_->totalMass() * 9.80665;
   EXPECT_NEAR(frame.feet[0].total + frame.feet[1].total, weight, 0.01 * weight);
@@ -91,9 +97,8 @@ TEST(World, LimpNaoCollapsesAndLiesOnTheFloor) {
   World world = worldWith(model);
   JointCommand command = posture(*model, "StandInit", -1);
   world.placeRobot(0, {}, &command.angle);
-  world.setCommand(0, command);
   world.push(0, Vec3(-20, 3, 0), 200ms);
-  run(world, 6000ms);
+  hold(world, command, 6000ms);
   EXPECT_LT(torso(world).z(), 0.15);
   EXPECT_GT(torso(world).z(), 0.0);
   EXPECT_LT(world.penetration(0), 0.01);
@@ -109,8 +114,7 @@ TEST(World, ThrashingNeverBlowsUp) {
       for (std::size_t j = 0; j < model->jointCount(); ++j) {
         command.angle[j] = random.uniform(model->actuators[j].lower, model->actuators[j].upper);
       }
-      world.setCommand(0, command);
-      run(world, 200ms);
+      hold(world, command, 200ms);
       ASSERT_TRUE(world.healthy());
       ASSERT_LT(torso(world).norm(), 5);
       ASSERT_LT(world.penetration(0), 0.06);  // physics.md saw 12 to 48 mm
@@ -128,8 +132,7 @@ TEST(World, HipYawPitchIsOneMotor) {
   ASSERT_EQ(pair.size(), 2u);
   for (int k = 0; k < 20; ++k) {
     command.angle[hip] = k % 2 ? -0.5 : 0.3;
-    world.setCommand(0, command);
-    run(world, 100ms);
+    hold(world, command, 100ms);
     const auto X_WB = world.scene().robots[0].X_WB;
     double angle[2];
     for (std::size_t i = 0; i < 2; ++i) {
@@ -147,8 +150,7 @@ TEST(World, TwoRunsAreIdenticalToTheLastBit) {
   World first = worldWith(model);
   World second = worldWith(model);
   for (World* world : {&first, &second}) {
-    world->setCommand(0, posture(*model, "StandZero", 0.8));
-    run(*world, 700ms);
+    hold(*world, posture(*model, "StandZero", 0.8), 700ms);
   }
   EXPECT_EQ(first.hash(), second.hash());
   run(second, 2ms);
@@ -158,14 +160,33 @@ TEST(World, TwoRunsAreIdenticalToTheLastBit) {
 TEST(World, GoesOnFromASnapshotBitByBit) {
   const auto model = test::robot("nao_h21_v33");
   World world = worldWith(model);
-  world.setCommand(0, posture(*model, "StandZero", 0.8));
-  run(world, 300ms);
+  hold(world, posture(*model, "StandZero", 0.8), 300ms);
   const auto snapshot = world.snapshot();
-  run(world, 500ms);
+  hold(world, posture(*model, "StandInit", 0.8), 500ms);
   World other = worldWith(model);
   other.restore(*snapshot);
-  run(other, 500ms);
+  hold(other, posture(*model, "StandInit", 0.8), 500ms);
   EXPECT_EQ(world.hash(), other.hash());
+}
+
+// The watchdog of the motor boards: 500 ms after the last order they only brake.
+TEST(World, MotorsLetGoWithoutOrders) {
+  const auto model = test::robot("nao_h21_v33");
+  World world = worldWith(model);
+  JointCommand command = posture(*model, "StandInit", 1);
+  hold(world, command, 1000ms);
+  const Joint head = *model->findJoint("HeadYaw");
+  command.angle[head] = 0.5;
+  world.setCommand(0, command);
+  run(world, 510ms);
+  EXPECT_NEAR(world.readSensors(0).angle[head], 0.5, 0.01);
+  world.placeRobot(0, {}, &command.angle);
+  command.angle[head] = 0;
+  world.setCommand(0, command);
+  run(world, 400ms);
+  EXPECT_NEAR(world.readSensors(0).angle[head], 0, 0.01);
+  run(world, 2000ms);
+  EXPECT_LT(torso(world).z(), 0.25);  // its legs gave way
 }
 
 TEST(World, RefusesAStepThatDoesNotDivideTheCycle) {
@@ -179,11 +200,11 @@ TEST(World, TwoRobotsDoNotPassThroughEachOther) {
   for (std::size_t i = 0; i < 2; ++i) {
     const JointCommand command = posture(*model, "StandInit", 1);
     world.placeRobot(i, {i ? 0.25 : 0.0, 0, i ? M_PI : 0.0}, &command.angle);
-    world.setCommand(i, command);
   }
   world.push(0, Vec3(40, 0, 0), 500ms);
   double nearest = 1;
   for (int k = 0; k < 1000; ++k) {
+    for (std::size_t i = 0; i < 2; ++i) world.setCommand(i, posture(*model, "StandInit", 1));
     world.step();
     const SceneFrame scene = world.scene();
     const double gap =

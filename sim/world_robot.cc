@@ -1,0 +1,136 @@
+#include "sim/world_robot.h"
+
+#include <cmath>
+
+#include "sim/fsr.h"
+
+namespace nao::sim {
+namespace {
+
+using std::chrono_literals::operator""ms;
+
+// Without an order for this long the motor boards only brake (NAOqi 1.14.5 documentation, DCM).
+constexpr Duration kWatchdog = 500ms;
+constexpr double kAmbient = 25;  // [deg C] motors do not warm up yet
+
+EffectChain makeEffects(const RobotSetup& setup, const WorldOptions& options) {
+  const RobotModel& model = *setup.model;
+  std::vector<EffectSetting> settings = model.effects;
+  if (options.seed) {
+    settings.insert(settings.end(), model.variation.begin(), model.variation.end());
+  }
+  return EffectChain(options.effects ? *options.effects : standardEffects(), settings, model,
+                     options.step, options.seed, setup.name);
+}
+
+BodyPlan makePlan(const RobotSetup& setup, const WorldModel& world, EffectChain& effects) {
+  BodyPlan plan(*setup.model, world);
+  effects.alterPlan(plan);
+  return plan;
+}
+
+JointArray<double> startAngles(const RobotModel& model) {
+  const Posture* posture = model.findPosture(model.start_posture);
+  return posture ? posture->angle : JointArray<double>(model.jointCount());
+}
+
+// The share of the stall current that the torque needs; stall current at 21.6 V is estimated
+// from the RE-Max 24's order of size, no Aldebaran figure is public.
+double currentOf(const Actuator& actuator, double torque) {
+  constexpr double kStallCurrent = 3.0;  // [A]
+  if (actuator.stall_torque <= 0) return 0;
+  return kStallCurrent * std::abs(torque) / (actuator.efficiency * actuator.stall_torque);
+}
+
+}  // namespace
+
+WorldRobot::WorldRobot(const RobotSetup& setup, const WorldModel& world,
+                       const WorldOptions& options)
+    : setup_(setup),
+      effects_(makeEffects(setup, options)),
+      body_(makePlan(setup, world, effects_)),
+      imu_(*setup.model, world.gravity) {
+  reset();
+}
+
+void WorldRobot::place(const Pose2& pose, const JointArray<double>* angles) {
+  sent_.angle = angles ? *angles : startAngles(*setup_.model);
+  sent_.stiffness = JointArray<double>(sent_.angle.size(), 0.0);
+  followed_ = sent_;
+  body_.place(pose, sent_.angle);
+  imu_.state() = {};
+  push_ = {};
+}
+
+void WorldRobot::reset() {
+  Pose2 start = setup_.start;
+  effects_.alterStart(start);
+  place(start, nullptr);
+}
+
+void WorldRobot::setCommand(const JointCommand& command, SimTime now) {
+  sent_ = command;
+  sent_at_ = now;
+}
+
+void WorldRobot::step(SimTime now, Duration step, std::vector<ExternalForce>& external) {
+  const double h = toSeconds(step);
+  if (push_.until > now) external.push_back({0, body_.motion()[0].p_WB, push_.f_W});
+  followed_ = sent_;
+  if (now - sent_at_ > kWatchdog) {
+    followed_.stiffness = JointArray<double>(followed_.stiffness.size(), 0.0);
+  }
+  effects_.alterCommand(followed_, now, h);
+  body_.step(followed_, calcTerms(now, h), external, h);
+}
+
+const DriveTerms* WorldRobot::calcTerms(SimTime now, double h) {
+  if (!effects_.actsOnDrive()) return nullptr;
+  const Drive& drive = body_.drive();
+  effects_.alterDrive({now, h, drive.angle(), drive.rate(), followed_.angle, followed_.stiffness,
+                       drive.torque(), drive.load()},
+                      terms_);
+  return &terms_;
+}
+
+SensorFrame WorldRobot::readSensors(SimTime now) {
+  const RobotModel& model = *setup_.model;
+  SensorFrame frame;
+  frame.time = now;
+  frame.angle = frame.current = JointArray<double>(model.jointCount());
+  frame.temperature = JointArray<double>(model.jointCount(), kAmbient);
+  frame.overheating = JointArray<std::uint8_t>(model.jointCount());
+  for (std::size_t j = 0; j < model.jointCount(); ++j) {
+    frame.angle[j] = body_.angle(toJoint(j));
+    frame.current[j] = currentOf(model.actuators[j], body_.drive().torque()[j]);
+  }
+  imu_.sample(body_.motion(), model.cycle, frame);
+  frame.feet = calcFootForces(model, body_.motion(), body_.groundForces());
+  effects_.alterSensors(frame, model.cycle);
+  return frame;
+}
+
+SceneFrame::Robot WorldRobot::scene() const {
+  SceneFrame::Robot robot{setup_.name, setup_.model, {}};
+  for (const BodyMotion& body : body_.motion()) {
+    Pose X_WB = translation(body.p_WB);
+    X_WB.linear() = body.R_WB;
+    robot.X_WB.push_back(X_WB);
+  }
+  return robot;
+}
+
+void WorldRobot::archive(Archive& archive) {
+  body_.archive(archive);
+  effects_.archive(archive);
+  imu_.archive(archive);
+  for (JointCommand* command : {&sent_, &followed_}) {
+    archive.value(command->angle);
+    archive.value(command->stiffness);
+  }
+  archive.value(sent_at_);
+  archive.numbers(push_.f_W);
+  archive.value(push_.until);
+}
+
+}  // namespace nao::sim

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/scene_frame.h"
+#include "sim/effects/catalogue.h"
+#include "sim/imu.h"
+#include "sim/robot_body.h"
+#include "sim/world.h"
+
+namespace nao::sim {
+
+/// One robot of a world: its body, its effects, its sensors, and what it was told last.
+class WorldRobot {
+ public:
+  WorldRobot(const RobotSetup& setup, const WorldModel& world, const WorldOptions& options);
+
+  RobotBody& body() { return body_; }
+  const RobotBody& body() const { return body_; }
+  std::map<std::string, double> draw() const { return effects_.draw(); }
+
+  /// At rest and limp, in the start posture or in `angles`.
+  void place(const Pose2& pose, const JointArray<double>* angles);
+  /// Where it started, the seed's offset included.
+  void reset();
+
+  void setCommand(const JointCommand& command, SimTime now);
+  void push(const Vec3& force_W, SimTime until) { push_ = {force_W, until}; }
+
+  /// Lets effects, motors and `external` forces act from `now` for `step`.
+  void step(SimTime now, Duration step, std::vector<ExternalForce>& external);
+
+  SensorFrame readSensors(SimTime now);
+  SceneFrame::Robot scene() const;
+  void archive(Archive& archive);
+
+ private:
+  struct Push {
+    Vec3 f_W = Vec3::Zero();
+    SimTime until{};
+  };
+  const DriveTerms* calcTerms(SimTime now, double h);
+
+  const RobotSetup& setup_;
+  EffectChain effects_;
+  RobotBody body_;
+  Imu imu_;
+  JointCommand sent_;  // by the control side
+  SimTime sent_at_{};
+  JointCommand followed_;  // by the motors, after the effects
+  DriveTerms terms_;
+  Push push_;
+};
+
+}  // namespace nao::sim
