@@ -10,6 +10,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer("Start with:  usarnaoqi serve      then connect any NaoQi client to 127.0.0.1:9559.");
   nao::app::addServe(app);
+  nao::app::addExperiment(app);
   try {
     app.parse(argc, argv);
     return 0;

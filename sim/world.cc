@@ -12,9 +12,9 @@ namespace {
 
 constexpr double kAmbient = 25;  // [deg C] motors do not warm up yet
 
-void checkStep(const std::vector<RobotSetup>& robots, Duration step) {
+void checkStep(const std::vector<RobotSetup>& robots, Duration step, bool any_step) {
   using std::chrono_literals::operator""ms;
-  if (step < 1ms || step > 5ms) throw InputError("--step: expected 1 to 5 ms");
+  if (!any_step && (step < 1ms || step > 5ms)) throw InputError("--step: expected 1 to 5 ms");
   for (const RobotSetup& robot : robots) {
     if (robot.model->cycle % step == Duration::zero()) continue;
     throw InputError("--step: expected a divisor of the " +
@@ -44,7 +44,7 @@ class World::Impl {
         step_(options.step),
         touching_(*model_),
         balls_(startBalls(*model_)) {
-    checkStep(setups_, step_);
+    checkStep(setups_, step_, options.any_step);
     for (const RobotSetup& setup : setups_) {
       robots_.push_back(std::make_unique<WorldRobot>(setup, *model_, options));
       bodies_.push_back(&robots_.back()->body());

@@ -40,6 +40,7 @@ struct WorldOptions {
   /// 0: every run is the same. Else the robots' `variation` is on and drawn from this seed.
   std::uint64_t seed = 0;
   const EffectCatalogue* effects = nullptr;  // null: standardEffects()
+  bool any_step = false;  // also steps outside 1 to 5 ms: for experiments on the step itself
 };
 
 /// The physical world: robots, balls, ground and obstacles. The whole public face of sim/.

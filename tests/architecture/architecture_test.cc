@@ -23,15 +23,24 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"runtime", {"core", "sim", "motion", "walk_engine", "camera"}},
     {"naoqi_api", {"core", "motion", "camera"}},
     {"daemon", {"core", "motion", "camera", "runtime", "naoqi_api"}},
-    {"app", {"core", "motion", "camera", "runtime", "naoqi_api", "daemon"}},
+    {"validation", {"core", "sim", "motion", "camera", "runtime"}},
+    {"app", {"core", "motion", "camera", "runtime", "naoqi_api", "daemon", "validation"}},
 };
 
 // Which folders may know a library: the others must not see its types.
-const std::map<std::string, std::set<std::string>> kOnlyHere = {
-    {"Simbody", {"sim"}},          {"SimTK", {"sim"}},          {"msgpack", {"naoqi_api"}},
-    {"boost/asio", {"daemon"}},    {"boost/beast", {"daemon"}}, {"yaml-cpp", {"core"}},
-    {"urdf_", {"core"}},           {"tinyxml.h", {"core"}},     {"tinyxml2", {"motion"}},
-    {"spdlog", {"daemon", "app"}}, {"opencv2", {"camera"}},     {"CLI/", {"app"}}};
+const std::map<std::string, std::set<std::string>> kOnlyHere = {{"Simbody", {"sim"}},
+                                                                {"SimTK", {"sim"}},
+                                                                {"msgpack", {"naoqi_api"}},
+                                                                {"boost/asio", {"daemon"}},
+                                                                {"boost/beast", {"daemon"}},
+                                                                {"yaml-cpp", {"core"}},
+                                                                {"urdf_", {"core"}},
+                                                                {"tinyxml.h", {"core"}},
+                                                                {"tinyxml2", {"motion"}},
+                                                                {"nlohmann", {"validation"}},
+                                                                {"spdlog", {"daemon", "app"}},
+                                                                {"opencv2", {"camera"}},
+                                                                {"CLI/", {"app"}}};
 
 struct Include {
   std::string folder;

@@ -1,0 +1,84 @@
+#include "validation/plot.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "core/check.h"
+
+namespace nao::validation {
+namespace {
+
+namespace fs = std::filesystem;
+
+Picture twoPanels() {
+  Panel left = makePanel("It's a line", "time [s]", "angle [deg]");
+  left.series = {{"ours", {0, 1, 2}, {0, 1, 4}, Look::Line, Ink::Blue},
+                 {"thesis", {0, 2}, {0, 3}, Look::Points, Ink::Thesis}};
+  Panel right = makePanel("Parts", "", "time [us]");
+  right.series = {{"", {0, 1}, {3, 4}, Look::Bars, Ink::Green}};
+  right.categories = {"physics", "sensors"};
+  return {"Two panels", {left, right}, 2, 800, 400};
+}
+
+class Plot : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (std::system("command -v gnuplot >/dev/null 2>&1") != 0) {
+      GTEST_SKIP() << "gnuplot is not installed: pictures are not drawn here";
+    }
+    fs::create_directory(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::string file(const char* name) const { return (folder_ / name).string(); }
+
+  fs::path folder_ = fs::temp_directory_path() / ("plot_test_" + std::to_string(getpid()));
+};
+
+std::string contents(const std::string& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+TEST_F(Plot, DrawsVectorPicturesWithTheirLabels) {
+  draw(twoPanels(), file("a.svg"));
+  const std::string svg = contents(file("a.svg"));
+  EXPECT_EQ(svg.rfind("<?xml", 0), 0u);
+  for (const char* label : {"Two panels", "time [s]", "angle [deg]", "ours", "physics"}) {
+    EXPECT_NE(svg.find(label), std::string::npos) << label;
+  }
+  EXPECT_GE(svg.find("</svg>"), 2000u);
+}
+
+TEST_F(Plot, DrawsPixelPictures) {
+  draw(twoPanels(), file("a.png"));
+  const std::string png = contents(file("a.png"));
+  EXPECT_EQ(png.substr(0, 4), "\x89PNG");
+  EXPECT_GT(png.size(), 4000u);  // an empty page of this size has 2 KB
+}
+
+TEST_F(Plot, SaysWhereItCanNotWrite) {
+  EXPECT_THROW(draw(twoPanels(), file("no/such/folder/a.png")), InputError);
+}
+
+TEST(PlotErrors, RefusesOtherEndings) { EXPECT_THROW(draw(twoPanels(), "a.pdf"), InputError); }
+
+TEST(PlotErrors, SaysThatGnuplotIsMissing) {
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", "/nonexistent", 1);
+  try {
+    draw(twoPanels(), "a.png");
+    ADD_FAILURE() << "drew without gnuplot";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("scripts/setup"), std::string::npos);
+  }
+  setenv("PATH", path.c_str(), 1);
+}
+
+}  // namespace
+}  // namespace nao::validation
