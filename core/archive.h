@@ -49,6 +49,14 @@ class Archive {
     if (mode_ == Mode::Load) items.resize(static_cast<std::size_t>(count));
     bytes(items.data(), items.size() * sizeof(T));
   }
+  /// A list of structs, each listed by `one(item)`; its length is restored too.
+  template <class T, class F>
+  void each(std::vector<T>& items, F one) {
+    auto count = static_cast<std::uint64_t>(items.size());
+    value(count);
+    if (mode_ == Mode::Load) items.resize(static_cast<std::size_t>(count));
+    for (T& item : items) one(item);
+  }
 
  private:
   Archive(Mode mode, std::vector<unsigned char>* out, const std::vector<unsigned char>* in)

@@ -22,4 +22,10 @@ void FallDetector::update(const SensorFrame& measured, double dt) {
   falling_ = tilt > kFallingTilt && !fallen_;
 }
 
+void FallDetector::archive(Archive& archive) {
+  archive.value(falling_);
+  archive.value(fallen_);
+  archive.value(lying_);
+}
+
 }  // namespace nao::motion

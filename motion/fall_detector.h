@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/archive.h"
 #include "core/robot_io.h"
 
 namespace nao::motion {
@@ -13,6 +14,8 @@ class FallDetector {
 
   bool falling() const { return falling_; }  // too far over to be standing, not yet down
   bool fallen() const { return fallen_; }    // has lain for a while
+
+  void archive(Archive& archive);
 
  private:
   bool falling_ = false;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/archive.h"
 #include "core/frames.h"
 #include "core/robot_io.h"
 #include "core/robot_model.h"
@@ -12,14 +13,14 @@ namespace nao::motion {
 
 /// Aldebaran's gait parameters (names and defaults of ALMotion's move configuration).
 struct GaitConfig {
-  double max_step_x = 0.040;         // [m]
-  double min_step_x = -0.040;        // [m]
-  double max_step_y = 0.140;         // [m] distance between the feet, outermost
-  double max_step_theta = 0.349;     // [rad]
-  double max_step_frequency = 1.0;   // 0 to 1
-  double step_height = 0.020;        // [m]
-  double torso_wx = 0;               // [rad]
-  double torso_wy = 0;               // [rad]
+  double max_step_x = 0.040;        // [m]
+  double min_step_x = -0.040;       // [m]
+  double max_step_y = 0.140;        // [m] distance between the feet, outermost
+  double max_step_theta = 0.349;    // [rad]
+  double max_step_frequency = 1.0;  // 0 to 1
+  double step_height = 0.020;       // [m]
+  double torso_wx = 0;              // [rad]
+  double torso_wy = 0;              // [rad]
 };
 
 /// A velocity on the floor.
@@ -29,11 +30,14 @@ struct Velocity2 {
   double theta = 0;  // [rad/s]
 };
 
+/// Lists a configuration in an archive.
+void archiveConfig(Archive& archive, GaitConfig& config);
+
 /// One planned support, in the odometry frame.
 struct Footstep {
   Foot foot = Foot::Left;
-  Pose2 place;        // of the sole
-  SimTime lands{};    // when it takes load
+  Pose2 place;      // of the sole
+  SimTime lands{};  // when it takes load
 };
 
 /// A walk engine as the motion engine sees it. It runs on the simulation thread, once per control
@@ -70,6 +74,12 @@ class Gait {
   virtual Pose2 nextPosition() const = 0;  // after the steps that can no longer change
   virtual Velocity2 velocity() const = 0;
   virtual std::vector<Footstep> footsteps() const = 0;
+
+  /// A gait that goes on bit by bit as this one would and shares nothing with it that changes.
+  virtual std::unique_ptr<Gait> clone() const = 0;
+
+  /// Lists what changes with time; a gait made alike and restored from it goes on likewise.
+  virtual void archive(Archive& archive) = 0;
 };
 
 }  // namespace nao::motion

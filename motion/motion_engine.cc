@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/check.h"
 #include "motion/fall_detector.h"
 #include "motion/limits.h"
 #include "motion/phases.h"
@@ -22,6 +23,8 @@ class MotionEngine::Impl {
   JointCommand update(const SensorFrame& measured);
   MotionState state() const;
   std::vector<MotionOutcome> takeOutcomes();
+  void forgetCallers();
+  void archive(Archive& archive);
 
  private:
   void take(RequestId id, const SetAngles& request);
@@ -204,7 +207,9 @@ JointCommand MotionEngine::Impl::update(const SensorFrame& measured) {
   followSensors(limpJoints());
 
   // What was asked for: booked motions, setpoints, stiffness, and the walk over both.
+  body_.walking = &walking_;
   schedule_.advance(dt_, body_);
+  body_.walking = nullptr;
   setpoints_.clear(schedule_.booked());
   for (const RequestId id : body_.stiffness.advance(dt_)) done(id);
   const JointSet limp = limpJoints();
@@ -270,14 +275,45 @@ std::vector<MotionOutcome> MotionEngine::Impl::takeOutcomes() {
   return taken;
 }
 
+void MotionEngine::Impl::forgetCallers() {
+  schedule_.forgetCallers();
+  body_.stiffness.forgetCallers();
+  walking_.forgetCallers();
+  outcomes_.clear();
+}
+
+// Not body_.measured: every cycle begins with a new frame, which the world's hash answers for.
+void MotionEngine::Impl::archive(Archive& archive) {
+  archive.value(body_.angle);
+  body_.stiffness.archive(archive);
+  archive.value(body_.upright);
+  archive.value(body_.awake);
+  schedule_.archive(archive);
+  setpoints_.archive(archive);
+  walking_.archive(archive);
+  fall_.archive(archive);
+  archive.value(time_);
+}
+
 MotionEngine::MotionEngine(std::shared_ptr<const RobotModel> model, std::unique_ptr<Gait> gait,
                            RequestId last_accepted)
     : impl_(std::make_unique<Impl>(std::move(model), std::move(gait), last_accepted)) {}
+MotionEngine::MotionEngine(const MotionEngine& other)
+    : impl_(std::make_unique<Impl>(*other.impl_)) {}
+MotionEngine& MotionEngine::operator=(const MotionEngine& other) {
+  if (this != &other) impl_ = std::make_unique<Impl>(*other.impl_);
+  return *this;
+}
 MotionEngine::~MotionEngine() = default;
 
 void MotionEngine::accept(const MotionRequest& request) { impl_->accept(request); }
 JointCommand MotionEngine::update(const SensorFrame& measured) { return impl_->update(measured); }
 MotionState MotionEngine::state() const { return impl_->state(); }
 std::vector<MotionOutcome> MotionEngine::takeOutcomes() { return impl_->takeOutcomes(); }
+void MotionEngine::forgetCallers() { impl_->forgetCallers(); }
+void MotionEngine::addTo(Archive& hash) const {
+  NAO_CHECK(hash.mode() == Archive::Mode::Hash);
+  impl_->archive(hash);
+}
 
 }  // namespace nao::motion

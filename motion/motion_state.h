@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -23,13 +24,15 @@ struct MotionState {
   JointCommand command;
   bool awake = false;
   bool move_active = false;
-  Pose2 position;       // odometry, frame R
+  Pose2 position;  // odometry, frame R
   Pose2 next_position;
   Velocity2 velocity;
   std::vector<Footstep> footsteps;
   std::vector<Task> tasks;
   bool falling = false;
   bool fallen = false;
+  std::uint64_t set_back = 0;  // how often the robot was set back to an earlier state; calls that
+                               // wait over that have failed
 };
 
 }  // namespace nao::motion

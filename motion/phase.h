@@ -1,13 +1,17 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
+#include "core/archive.h"
 #include "core/robot_io.h"
 #include "core/robot_model.h"
 #include "motion/joint_set.h"
 #include "motion/stiffness.h"
 
 namespace nao::motion {
+
+class Walking;
 
 /// What a phase works on: the robot as commanded and as measured in this cycle.
 struct Body {
@@ -17,6 +21,7 @@ struct Body {
   SensorFrame measured;
   bool upright = true;  // neither falling nor fallen
   bool awake = false;
+  Walking* walking = nullptr;  // of the same robot; during a cycle only
 
   explicit Body(const RobotModel& robot)
       : model(robot), angle(robot.jointCount()), stiffness(robot.jointCount()) {}
@@ -37,6 +42,12 @@ class Phase {
 
   /// Why advance() said Failed, one sentence.
   virtual std::string failure() const { return {}; }
+
+  /// A phase that goes on bit by bit as this one would and shares nothing with it that changes.
+  virtual std::unique_ptr<Phase> clone() const = 0;
+
+  /// Lists what decides how it goes on, for hashing.
+  virtual void archive(Archive& archive) = 0;
 };
 
 }  // namespace nao::motion

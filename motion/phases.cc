@@ -18,6 +18,16 @@ Phase::Progress progressAt(double elapsed, double duration) {
   return elapsed >= duration - kTimeRounding ? Phase::Progress::Done : Phase::Progress::Running;
 }
 
+void archiveKey(Archive& archive, Key& key) {
+  archive.value(key.time);
+  archive.value(key.angle);
+  for (Handle* handle : {&key.before, &key.after}) {
+    archive.value(handle->kind);
+    archive.value(handle->dt);
+    archive.value(handle->dangle);
+  }
+}
+
 }  // namespace
 
 void FollowCurves::begin(Body& body) {
@@ -30,6 +40,7 @@ void FollowCurves::begin(Body& body) {
     tracks_.push_back({curve.joint, Trajectory(start, curve.keys)});
     duration_ = std::max(duration_, tracks_.back().trajectory.duration());
   }
+  request_ = {};
 }
 
 Phase::Progress FollowCurves::advance(double dt, const JointSet& mine, Body& body) {
@@ -40,6 +51,21 @@ Phase::Progress FollowCurves::advance(double dt, const JointSet& mine, Body& bod
     if (mine.test(index(track.joint))) body.angle[track.joint] = track.trajectory.at(time);
   }
   return progress;
+}
+
+void FollowCurves::archive(Archive& archive) {
+  archive.value(request_.relative);
+  archive.value(request_.smooth);
+  archive.each(request_.curves, [&archive](Curve& curve) {
+    archive.value(curve.joint);
+    archive.each(curve.keys, [&archive](Key& key) { archiveKey(archive, key); });
+  });
+  archive.each(tracks_, [&archive](Track& track) {
+    archive.value(track.joint);
+    track.trajectory.archive(archive);
+  });
+  archive.value(elapsed_);
+  archive.value(duration_);
 }
 
 void Glide::begin(Body& body) {
@@ -65,6 +91,17 @@ Phase::Progress Glide::advance(double dt, const JointSet& mine, Body& body) {
   return progress;
 }
 
+void Glide::archive(Archive& archive) {
+  archive.value(course_.joints);
+  archive.value(course_.target);
+  archive.value(course_.fraction);
+  archive.value(course_.ramp);
+  archive.value(course_.at_least);
+  archive.value(start_);
+  profile_.archive(archive);
+  archive.value(elapsed_);
+}
+
 void Sequence::begin(Body& /*body*/) { begun_ = false; }
 
 Phase::Progress Sequence::advance(double dt, const JointSet& mine, Body& body) {
@@ -83,6 +120,12 @@ std::string Sequence::failure() const {
   return current_ < phases_.size() ? phases_[current_]->failure() : std::string();
 }
 
+void Sequence::archive(Archive& archive) {
+  archive.value(current_);
+  archive.value(begun_);
+  for (const ValuePtr<Phase>& phase : phases_) phase->archive(archive);
+}
+
 void OnlyIf::begin(Body& body) {
   applies_ = condition_(body);
   if (applies_) phase_->begin(body);
@@ -92,13 +135,9 @@ Phase::Progress OnlyIf::advance(double dt, const JointSet& mine, Body& body) {
   return applies_ ? phase_->advance(dt, mine, body) : Progress::Done;
 }
 
-void ChosenLater::begin(Body& body) {
-  phase_ = choice_(body);
-  phase_->begin(body);
-}
-
-Phase::Progress ChosenLater::advance(double dt, const JointSet& mine, Body& body) {
-  return phase_->advance(dt, mine, body);
+void OnlyIf::archive(Archive& archive) {
+  archive.value(applies_);
+  phase_->archive(archive);
 }
 
 void RampStiffness::begin(Body& body) {
@@ -115,12 +154,24 @@ Phase::Progress RampStiffness::advance(double dt, const JointSet& /*mine*/, Body
   return progress;
 }
 
+void RampStiffness::archive(Archive& archive) {
+  archive.value(value_);
+  archive.value(seconds_);
+  archive.value(elapsed_);
+}
+
 void CheckPosture::begin(Body& /*body*/) { elapsed_ = 0; }
 
 Phase::Progress CheckPosture::advance(double dt, const JointSet& /*mine*/, Body& body) {
   elapsed_ += dt;
   if (isIn(body.model, body.measured, posture_)) return Progress::Done;
   return elapsed_ < kTimeToArrive ? Progress::Running : Progress::Failed;
+}
+
+void CheckPosture::archive(Archive& archive) {
+  JointArray<double> angle = posture_.angle;
+  archive.value(angle);
+  archive.value(elapsed_);
 }
 
 std::string CheckPosture::failure() const {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/value_ptr.h"
 #include "motion/phase.h"
 #include "motion/speed_profile.h"
 #include "motion/trajectory.h"
@@ -17,6 +18,8 @@ class FollowCurves final : public Phase {
   explicit FollowCurves(Interpolate request) : request_(std::move(request)) {}
   void begin(Body& body) override;
   Progress advance(double dt, const JointSet& mine, Body& body) override;
+  std::unique_ptr<Phase> clone() const override { return std::make_unique<FollowCurves>(*this); }
+  void archive(Archive& archive) override;
 
  private:
   struct Track {
@@ -42,6 +45,8 @@ class Glide final : public Phase {
   explicit Glide(const Course& course) : course_(course) {}
   void begin(Body& body) override;
   Progress advance(double dt, const JointSet& mine, Body& body) override;
+  std::unique_ptr<Phase> clone() const override { return std::make_unique<Glide>(*this); }
+  void archive(Archive& archive) override;
 
  private:
   Course course_;
@@ -53,13 +58,15 @@ class Glide final : public Phase {
 /// Several phases, one after the other; the first failure ends them all.
 class Sequence final : public Phase {
  public:
-  explicit Sequence(std::vector<std::unique_ptr<Phase>> phases) : phases_(std::move(phases)) {}
+  explicit Sequence(std::vector<ValuePtr<Phase>> phases) : phases_(std::move(phases)) {}
   void begin(Body& body) override;
   Progress advance(double dt, const JointSet& mine, Body& body) override;
   std::string failure() const override;
+  std::unique_ptr<Phase> clone() const override { return std::make_unique<Sequence>(*this); }
+  void archive(Archive& archive) override;
 
  private:
-  std::vector<std::unique_ptr<Phase>> phases_;
+  std::vector<ValuePtr<Phase>> phases_;
   std::size_t current_ = 0;
   bool begun_ = false;
 };
@@ -68,30 +75,18 @@ class Sequence final : public Phase {
 class OnlyIf final : public Phase {
  public:
   using Condition = std::function<bool(const Body&)>;
-  OnlyIf(Condition condition, std::unique_ptr<Phase> phase)
+  OnlyIf(Condition condition, ValuePtr<Phase> phase)
       : condition_(std::move(condition)), phase_(std::move(phase)) {}
   void begin(Body& body) override;
   Progress advance(double dt, const JointSet& mine, Body& body) override;
   std::string failure() const override { return phase_->failure(); }
+  std::unique_ptr<Phase> clone() const override { return std::make_unique<OnlyIf>(*this); }
+  void archive(Archive& archive) override;
 
  private:
   Condition condition_;
-  std::unique_ptr<Phase> phase_;
+  ValuePtr<Phase> phase_;
   bool applies_ = false;
-};
-
-/// A phase chosen when its turn comes, from where the robot then is.
-class ChosenLater final : public Phase {
- public:
-  using Choice = std::function<std::unique_ptr<Phase>(const Body&)>;
-  explicit ChosenLater(Choice choice) : choice_(std::move(choice)) {}
-  void begin(Body& body) override;
-  Progress advance(double dt, const JointSet& mine, Body& body) override;
-  std::string failure() const override { return phase_->failure(); }
-
- private:
-  Choice choice_;
-  std::unique_ptr<Phase> phase_;
 };
 
 /// All joints to one stiffness along a line; a stiff robot is awake.
@@ -100,6 +95,8 @@ class RampStiffness final : public Phase {
   RampStiffness(double value, double seconds) : value_(value), seconds_(seconds) {}
   void begin(Body& body) override;
   Progress advance(double dt, const JointSet& mine, Body& body) override;
+  std::unique_ptr<Phase> clone() const override { return std::make_unique<RampStiffness>(*this); }
+  void archive(Archive& archive) override;
 
  private:
   double value_;
@@ -115,6 +112,8 @@ class CheckPosture final : public Phase {
   void begin(Body& body) override;
   Progress advance(double dt, const JointSet& mine, Body& body) override;
   std::string failure() const override;
+  std::unique_ptr<Phase> clone() const override { return std::make_unique<CheckPosture>(*this); }
+  void archive(Archive& archive) override;
 
  private:
   const Posture& posture_;

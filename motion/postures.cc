@@ -64,6 +64,46 @@ JointSet legs(const RobotModel& model) {
   return jointsOfGroup(model, "LLeg") | jointsOfGroup(model, "RLeg");
 }
 
+/// Chosen when its turn comes, from where the robot then is.
+class WayToPosture final : public Phase {
+ public:
+  WayToPosture(const Posture& target, double fraction) : target_(target), fraction_(fraction) {}
+  void begin(Body& body) override;
+  Progress advance(double dt, const JointSet& mine, Body& body) override {
+    return way_->advance(dt, mine, body);
+  }
+  std::string failure() const override { return way_->failure(); }
+  std::unique_ptr<Phase> clone() const override { return std::make_unique<WayToPosture>(*this); }
+  void archive(Archive& archive) override;
+
+ private:
+  const Posture& target_;
+  double fraction_;
+  ValuePtr<Phase> way_;
+};
+
+void WayToPosture::begin(Body& body) {
+  const RobotModel& model = body.model;
+  std::vector<ValuePtr<Phase>> way;
+  // From its feet to the ground the robot first makes itself small.
+  const Posture* crouch = model.findPosture("Crouch");
+  const Posture* now = findCurrentPosture(model, body.measured);
+  if (crouch != nullptr && now != nullptr && isOnFeet(*now) && !isOnFeet(target_)) {
+    way.emplace_back(glideTo(model, *crouch, fraction_));
+  }
+  way.emplace_back(glideTo(model, target_, fraction_));
+  way.emplace_back(std::make_unique<CheckPosture>(target_));
+  way_ = std::make_unique<Sequence>(std::move(way));
+  way_->begin(body);
+}
+
+void WayToPosture::archive(Archive& archive) {
+  JointArray<double> angle = target_.angle;
+  archive.value(angle);
+  archive.value(fraction_);
+  if (way_) way_->archive(archive);
+}
+
 bool legsAreStiff(const Body& body) {
   const JointSet leg_joints = legs(body.model);
   for (std::size_t i = 0; i < body.angle.size(); ++i) {
@@ -118,24 +158,13 @@ std::unique_ptr<Phase> glideTo(const RobotModel& model, const Posture& posture, 
   return std::make_unique<Glide>(course);
 }
 
-std::unique_ptr<Phase> goToPosture(const RobotModel& model, const Posture& target,
+std::unique_ptr<Phase> goToPosture(const RobotModel& /*model*/, const Posture& target,
                                    double fraction) {
-  return std::make_unique<ChosenLater>([&model, &target, fraction](const Body& body) {
-    std::vector<std::unique_ptr<Phase>> way;
-    // From its feet to the ground the robot first makes itself small.
-    const Posture* crouch = model.findPosture("Crouch");
-    const Posture* now = findCurrentPosture(model, body.measured);
-    if (crouch != nullptr && now != nullptr && isOnFeet(*now) && !isOnFeet(target)) {
-      way.push_back(glideTo(model, *crouch, fraction));
-    }
-    way.push_back(glideTo(model, target, fraction));
-    way.push_back(std::make_unique<CheckPosture>(target));
-    return std::make_unique<Sequence>(std::move(way));
-  });
+  return std::make_unique<WayToPosture>(target, fraction);
 }
 
 std::unique_ptr<Phase> wakeUp(const RobotModel& model) {
-  std::vector<std::unique_ptr<Phase>> phases;
+  std::vector<ValuePtr<Phase>> phases;
   phases.push_back(std::make_unique<RampStiffness>(1.0, kStiffenTime));
   const Posture* crouch = model.findPosture("Crouch");
   const Posture* stand = model.findPosture("StandInit");
@@ -150,7 +179,7 @@ std::unique_ptr<Phase> wakeUp(const RobotModel& model) {
 }
 
 std::unique_ptr<Phase> rest(const RobotModel& model) {
-  std::vector<std::unique_ptr<Phase>> phases;
+  std::vector<ValuePtr<Phase>> phases;
   if (const Posture* crouch = model.findPosture("Crouch")) {
     const auto stands = [&model](const Body& body) {
       const Posture* now = findCurrentPosture(model, body.measured);

@@ -56,6 +56,7 @@ void Schedule::release(Joint joint) {
 }
 
 bool Schedule::kill(RequestId id) {
+  if (id == 0) return false;
   for (std::vector<Job>* jobs : {&running_, &waiting_}) {
     const auto job =
         std::find_if(jobs->begin(), jobs->end(), [id](const Job& j) { return j.id == id; });
@@ -96,6 +97,25 @@ std::vector<MotionOutcome> Schedule::takeOutcomes() {
   std::vector<MotionOutcome> taken;
   taken.swap(outcomes_);
   return taken;
+}
+
+void Schedule::forgetCallers() {
+  for (std::vector<Job>* jobs : {&running_, &waiting_}) {
+    for (Job& job : *jobs) {
+      job.id = 0;
+      job.has_outcome = false;
+    }
+  }
+  outcomes_.clear();
+}
+
+void Schedule::archive(Archive& archive) {
+  for (std::vector<Job>* jobs : {&running_, &waiting_}) {
+    archive.each(*jobs, [&archive](Job& job) {
+      archive.value(job.joints);
+      job.phase->archive(archive);
+    });
+  }
 }
 
 void Schedule::end(const Job& job, MotionOutcome::Kind kind, std::string reason) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/value_ptr.h"
 #include "motion/motion_request.h"
 #include "motion/motion_state.h"
 #include "motion/phase.h"
@@ -12,10 +13,10 @@ namespace nao::motion {
 
 /// A motion that books joints from its start to its end.
 struct Job {
-  RequestId id = 0;
+  RequestId id = 0;  // 0: nobody's any more
   std::string name;  // as getTaskList shows it
   JointSet joints;
-  std::unique_ptr<Phase> phase;
+  ValuePtr<Phase> phase;
   bool has_outcome = true;  // false: whoever added it reports how it ends
 };
 
@@ -42,6 +43,12 @@ class Schedule {
 
   /// How jobs ended since the last call, in order.
   std::vector<MotionOutcome> takeOutcomes();
+
+  /// From now on nobody hears how the jobs end that are there now.
+  void forgetCallers();
+
+  /// Lists the jobs for hashing, not who waits for them.
+  void archive(Archive& archive);
 
  private:
   void startWaiting(Body& body);

@@ -24,4 +24,13 @@ void Setpoints::advance(double dt, JointArray<double>& angle) {
   }
 }
 
+void Setpoints::archive(Archive& archive) {
+  archive.value(active_);
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    if (!active_.test(i)) continue;
+    archive.value(targets_[i]);
+    archive.value(speeds_[i]);
+  }
+}
+
 }  // namespace nao::motion

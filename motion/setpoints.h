@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/archive.h"
 #include "core/joint.h"
 #include "motion/joint_set.h"
 
@@ -19,6 +20,9 @@ class Setpoints {
 
   /// One cycle of `dt` [s]: moves the angles towards their targets.
   void advance(double dt, JointArray<double>& angle);
+
+  /// Lists the targets that are still approached.
+  void archive(Archive& archive);
 
  private:
   JointArray<double> targets_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/archive.h"
+
 namespace nao::motion {
 
 /// A way from 0 to 1 in the least time its top speed allows: the speed rises smoothly during
@@ -14,6 +16,11 @@ class SpeedProfile {
 
   /// The part of the way done at `time` [s], 0 to 1.
   double at(double time) const;
+
+  void archive(Archive& archive) {
+    archive.value(way_time_);
+    archive.value(ramp_);
+  }
 
  private:
   double way_time_;

@@ -36,6 +36,7 @@ void Stiffness::ramp(const JointSet& joints, double value, double seconds) {
 }
 
 bool Stiffness::kill(RequestId id) {
+  if (id == 0) return false;  // nobody's
   const auto found =
       std::find_if(runs_.begin(), runs_.end(), [id](const Run& run) { return run.id == id; });
   if (found == runs_.end()) return false;
@@ -64,6 +65,24 @@ std::vector<RequestId> Stiffness::advance(double dt) {
   }
   runs_.erase(std::remove_if(runs_.begin(), runs_.end(), is_over), runs_.end());
   return ended;
+}
+
+void Stiffness::forgetCallers() {
+  for (Run& run : runs_) run.id = 0;
+}
+
+void Stiffness::archive(Archive& archive) {
+  archive.value(value_);
+  archive.each(runs_, [&archive](Run& run) {
+    archive.value(run.elapsed);
+    archive.value(run.duration);
+    archive.each(run.tracks, [&archive](Track& track) {
+      archive.value(track.joint);
+      archive.value(track.start);
+      archive.list(track.stiffness);
+      archive.list(track.times);
+    });
+  });
 }
 
 void Stiffness::takeOver(Joint joint) {

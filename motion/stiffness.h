@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/archive.h"
 #include "core/joint.h"
 #include "motion/joint_set.h"
 #include "motion/motion_request.h"
@@ -30,6 +31,12 @@ class Stiffness {
 
   /// One cycle of `dt` [s]; returns the runs that ended.
   std::vector<RequestId> advance(double dt);
+
+  /// From now on the runs under way are reported to nobody.
+  void forgetCallers();
+
+  /// Lists values and runs, not who waits for these.
+  void archive(Archive& archive);
 
  private:
   struct Track {

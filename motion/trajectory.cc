@@ -114,4 +114,15 @@ double Trajectory::duration() const {
   return pieces_.empty() ? 0 : pieces_.back().begin + pieces_.back().length;
 }
 
+void Trajectory::archive(Archive& archive) {
+  archive.value(start_);
+  archive.each(pieces_, [&archive](Piece& piece) {
+    for (double* number : {&piece.begin, &piece.length, &piece.out, &piece.in, &piece.y0, &piece.y1,
+                           &piece.y2, &piece.y3}) {
+      archive.value(*number);
+    }
+    archive.value(piece.hold);
+  });
+}
+
 }  // namespace nao::motion

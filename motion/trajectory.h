@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/archive.h"
 #include "motion/motion_request.h"
 
 namespace nao::motion {
@@ -18,12 +19,15 @@ void setAutoHandles(double start, std::vector<Key>& keys);
 /// runs backwards. A key whose outgoing handle is Constant holds its value until the next key.
 class Trajectory {
  public:
+  Trajectory() = default;  // 0 for ever
   Trajectory(double start, const std::vector<Key>& keys);
 
   /// The angle at `time` [s] after the start; the ends hold.
   double at(double time) const;
 
   double duration() const;  // [s]
+
+  void archive(Archive& archive);
 
  private:
   struct Piece {
@@ -36,7 +40,7 @@ class Trajectory {
   };
   static Piece pieceBetween(const Key& left, const Key& right);
 
-  double start_;
+  double start_ = 0;
   std::vector<Piece> pieces_;
 };
 

@@ -23,11 +23,10 @@ const char* const kWalkPosture = "StandInit";
 /// Holds the legs for the walk: first to the pose it starts from, then while the gait is active.
 class Walking::LegsPhase final : public Phase {
  public:
-  explicit LegsPhase(Walking& walking) : walking_(walking) {}
-
   void begin(Body& body) override {
+    const Walking& walking = *body.walking;
     const Posture* stand = body.model.findPosture(kWalkPosture);
-    if (!walking_.ordered() || !walking_.refusal(body).empty() || stand == nullptr ||
+    if (!walking.ordered() || !walking.refusal(body).empty() || stand == nullptr ||
         legsAreNear(body.model, body.angle, *stand)) {
       return;
     }
@@ -36,19 +35,26 @@ class Walking::LegsPhase final : public Phase {
   }
 
   Progress advance(double dt, const JointSet& mine, Body& body) override {
+    Walking& walking = *body.walking;
     // Even a walk that was called off meanwhile ends in a pose the robot can stand in.
-    if (to_start_ != nullptr) {
+    if (to_start_) {
       if (to_start_->advance(dt, mine, body) == Progress::Running) return Progress::Running;
       to_start_.reset();
     }
-    if (walking_.state_ == State::Idle) return Progress::Done;
-    if (walking_.state_ == State::Ordered) walking_.start(body);
-    return walking_.state_ == State::Idle ? Progress::Done : Progress::Running;
+    if (walking.state_ == State::Idle) return Progress::Done;
+    if (walking.state_ == State::Ordered) walking.start(body);
+    return walking.state_ == State::Idle ? Progress::Done : Progress::Running;
+  }
+
+  std::unique_ptr<Phase> clone() const override { return std::make_unique<LegsPhase>(*this); }
+  void archive(Archive& archive) override {
+    bool at_start = !to_start_;
+    archive.value(at_start);
+    if (to_start_) to_start_->archive(archive);
   }
 
  private:
-  Walking& walking_;
-  std::unique_ptr<Phase> to_start_;
+  ValuePtr<Phase> to_start_;
 };
 
 Walking::Walking(const RobotModel& model, std::unique_ptr<Gait> gait)
@@ -79,7 +85,7 @@ bool Walking::order(RequestId id, const WalkOrder& order) {
   return needs_legs;
 }
 
-std::unique_ptr<Phase> Walking::phase() { return std::make_unique<LegsPhase>(*this); }
+std::unique_ptr<Phase> Walking::phase() { return std::make_unique<LegsPhase>(); }
 
 bool Walking::isStand(const WalkOrder& order) const {
   return std::visit(
@@ -93,7 +99,7 @@ bool Walking::isStand(const WalkOrder& order) const {
 }
 
 std::string Walking::refusal(const Body& body) const {
-  if (gait_ == nullptr) return "this robot does not walk";
+  if (!gait_) return "this robot does not walk";
   if (!body.upright) return "the robot is not on its feet";
   for (std::size_t i = 0; i < model_.jointCount(); ++i) {
     if (legs_.test(i) && body.stiffness.value()[i] <= kSoftLegs) {
@@ -131,7 +137,7 @@ void Walking::stop(RequestId id) {
 }
 
 bool Walking::stopRequest(RequestId id) {
-  if (state_ == State::Idle || id != id_) return false;
+  if (state_ == State::Idle || id == 0 || id != id_) return false;
   endOrder(MotionOutcome::Kind::Killed);
   stop(0);
   return true;
@@ -175,6 +181,44 @@ void Walking::becomeIdle(MotionOutcome::Kind kind, const std::string& reason) {
   stops_.clear();
   state_ = State::Idle;
   stopping_ = false;
+}
+
+void Walking::forgetCallers() {
+  id_ = 0;
+  awaited_ = false;
+  stops_.clear();
+  outcomes_.clear();
+}
+
+void Walking::archiveOrder(Archive& archive) {
+  auto kind = static_cast<std::uint64_t>(order_.index());
+  archive.value(kind);
+  std::visit(Overloaded{[&](MoveTo& to) {
+                          archive.value(to.target);
+                          double time = to.time.value_or(0);
+                          archive.value(time);
+                          archiveConfig(archive, to.config);
+                        },
+                        [&](Move& move) {
+                          archive.value(move.velocity);
+                          archiveConfig(archive, move.config);
+                        },
+                        [&](MoveToward& move) {
+                          archive.value(move.x);
+                          archive.value(move.y);
+                          archive.value(move.theta);
+                          archiveConfig(archive, move.config);
+                        }},
+             order_);
+}
+
+void Walking::archive(Archive& archive) {
+  archive.value(move_arms_);
+  archive.value(state_);
+  if (state_ != State::Idle) archiveOrder(archive);
+  archive.value(stopping_);
+  archive.value(commanded_);
+  if (gait_) gait_->archive(archive);
 }
 
 std::vector<MotionOutcome> Walking::takeOutcomes() {

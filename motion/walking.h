@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/value_ptr.h"
 #include "motion/gait.h"
 #include "motion/joint_set.h"
 #include "motion/motion_request.h"
@@ -19,7 +20,7 @@ using WalkOrder = std::variant<MoveTo, Move, MoveToward>;
 /// Brings walk requests to the gait. A new order replaces the one under way, from the end of the
 /// steps that can no longer change. The steps begin when the schedule has given the legs free
 /// (phase()) and the body stands as a walk starts. A moveTo ends when both feet stand again; move
-/// and moveToward end at once, the walk goes on.
+/// and moveToward end at once, the walk goes on. A value: a copy goes on like the original.
 class Walking {
  public:
   /// `gait` may be null: a robot that does not walk.
@@ -50,6 +51,12 @@ class Walking {
 
   std::vector<MotionOutcome> takeOutcomes();
 
+  /// From now on nobody hears how the order under way ends.
+  void forgetCallers();
+
+  /// Lists the order, the gait and who moves the arms for hashing, not who waits.
+  void archive(Archive& archive);
+
  private:
   class LegsPhase;
   enum class State { Idle, Ordered, Walking };
@@ -58,12 +65,13 @@ class Walking {
   std::string refusal(const Body& body) const;
   void start(const Body& body);
   void handToGait();
+  void archiveOrder(Archive& archive);
   void endOrder(MotionOutcome::Kind kind, const std::string& reason = {});
   void becomeIdle(MotionOutcome::Kind kind, const std::string& reason = {});
   JointSet swingingArms() const;
 
   const RobotModel& model_;
-  std::unique_ptr<Gait> gait_;
+  ValuePtr<Gait> gait_;
   const JointSet legs_, left_arm_, right_arm_;
   SetMoveArms move_arms_;
   State state_ = State::Idle;

@@ -46,6 +46,24 @@ double smooth(double s) { return s * s * (3 - 2 * s); }
 
 }  // namespace
 
+void Goal::archive(Archive& archive) {
+  archive.value(kind);
+  archive.value(fractions);
+  archive.value(target);
+  motion::archiveConfig(archive, config);
+}
+
+void PlannedStep::archive(Archive& archive) {
+  archive.value(swing);
+  archive.value(from);
+  archive.value(to);
+  archive.value(start);
+  for (int* ticks : {&double_support, &single_support, &shift}) archive.value(*ticks);
+  archive.value(height);
+  archive.numbers(zmp_from);
+  archive.numbers(zmp_to);
+}
+
 Pose2 robotPlace(const FeetPlaces& feet) {
   const double turn = wrapAngle(feet[1].theta - feet[0].theta);
   return {0.5 * (feet[0].x + feet[1].x), 0.5 * (feet[0].y + feet[1].y),
@@ -196,6 +214,17 @@ Vector2d FootstepPlan::settle(const Vector2d& from, const Vector2d& rest,
 
 bool FootstepPlan::atRest(std::int64_t now) const {
   return steps_.empty() && complete_ && now >= stand_since_ + ticks(tuning_.end_double_support);
+}
+
+void FootstepPlan::archive(Archive& archive) {
+  goal_.archive(archive);
+  archive.value(feet_);
+  archive.each(steps_, [&archive](PlannedStep& step) { step.archive(archive); });
+  archive.value(complete_);
+  archive.value(rest_first_);
+  archive.value(begin_);
+  archive.value(stand_since_);
+  archive.numbers(stand_zmp_);
 }
 
 }  // namespace nao::walk

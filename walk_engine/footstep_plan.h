@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "core/archive.h"
 #include "motion/gait.h"
 #include "walk_engine/step_rules.h"
 #include "walk_engine/tuning.h"
@@ -20,6 +21,8 @@ struct Goal {
   StepFractions fractions;  // of Velocity
   Pose2 target;             // of Target: where R shall stand, in the odometry frame
   motion::GaitConfig config;
+
+  void archive(Archive& archive);
 };
 
 using FeetPlaces = std::array<Pose2, 2>;  // soles by Foot, in the odometry frame
@@ -46,6 +49,8 @@ struct PlannedStep {
   Eigen::Vector2d zmp_from, zmp_to;  // [m] moves over during the shift, then rests
   std::int64_t lift() const { return start + double_support; }
   std::int64_t end() const { return lift() + single_support; }
+
+  void archive(Archive& archive);
 };
 
 /// The steps from now on and the zero moment point they ask for, on a clock of ticks of one
@@ -76,6 +81,8 @@ class FootstepPlan {
   Eigen::Vector2d calcZmp(std::int64_t tick) const;
   /// No steps, and the zero moment point has come to rest before `now`.
   bool atRest(std::int64_t now) const;
+
+  void archive(Archive& archive);
 
  private:
   Eigen::Vector2d settle(const Eigen::Vector2d& from, const Eigen::Vector2d& rest,

@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include "core/archive.h"
+
 namespace nao::walk {
 
 /// Moves the centre of mass of a linear inverted pendulum so that the zero moment point follows a
@@ -19,6 +21,8 @@ class PreviewControl {
     double velocity = 0;      // [m/s]
     double acceleration = 0;  // [m/s^2]
     double error_sum = 0;     // [m] of p - p_ref over the steps so far
+
+    void archive(Archive& archive) { archive.value(*this); }
   };
 
   /// `com_height` [m] and `gravity` [m/s^2] of the pendulum, `dt` [s] between steps, `samples` of

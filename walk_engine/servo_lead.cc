@@ -111,4 +111,13 @@ void ServoLead::apply(JointArray<double>& angle) {
   }
 }
 
+void ServoLead::archive(Archive& archive) {
+  for (PlannedPose& plan : plans_) {
+    archive.value(plan.angle);
+    archive.each(plan.X_OB, [&archive](Pose& X_OB) { archive.numbers(X_OB.matrix()); });
+    archive.value(plan.stands);
+  }
+  archive.value(newest_);
+}
+
 }  // namespace nao::walk

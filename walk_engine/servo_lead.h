@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/archive.h"
 #include "core/frames.h"
 #include "core/joint.h"
 #include "core/robot_model.h"
@@ -38,6 +39,9 @@ class ServoLead {
 
   /// Torque the plan asks of each leg joint [N m], after apply().
   const JointArray<double>& torque() const { return torque_; }
+
+  /// Lists the plans.
+  void archive(Archive& archive);
 
  private:
   struct Link {

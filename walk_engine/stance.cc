@@ -51,4 +51,10 @@ std::array<Pose, 2> StanceSolver::calcSoles(const JointArray<double>& angle) {
   return {X_RT * kinematics_.calcSole(Foot::Left), X_RT * kinematics_.calcSole(Foot::Right)};
 }
 
+void StanceSolver::archive(Archive& archive) {
+  archive.numbers(X_OT_.matrix());
+  archive.value(yaw_);
+  archive.numbers(p_TCom_);
+}
+
 }  // namespace nao::walk

@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 
+#include "core/archive.h"
 #include "core/frames.h"
 #include "core/joint.h"
 #include "core/robot_model.h"
@@ -40,6 +41,9 @@ class StanceSolver {
 
   /// Soles in R by the angles of the joints, R between them.
   std::array<Pose, 2> calcSoles(const JointArray<double>& angle);
+
+  /// Lists from where the next solve() starts.
+  void archive(Archive& archive);
 
  private:
   motion::LegIk ik_;

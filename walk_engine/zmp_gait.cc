@@ -56,6 +56,8 @@ class ZmpGait final : public motion::Gait {
   Pose2 nextPosition() const override;
   Velocity2 velocity() const override;
   std::vector<motion::Footstep> footsteps() const override;
+  std::unique_ptr<motion::Gait> clone() const override { return std::make_unique<ZmpGait>(*this); }
+  void archive(Archive& archive) override;
 
  private:
   enum class Phase { Idle, Requested, Rising, Walking };
@@ -317,6 +319,24 @@ std::vector<motion::Footstep> ZmpGait::footsteps() const {
     steps.push_back({step.swing, step.to, now_ + until});
   }
   return steps;
+}
+
+void ZmpGait::archive(Archive& archive) {
+  stance_.archive(archive);
+  servo_lead_.archive(archive);
+  archive.value(com_height_);
+  plan_.archive(archive);
+  archive.value(phase_);
+  goal_.archive(archive);
+  archive.value(tick_);
+  archive.value(now_);
+  archive.value(rise_.offset);
+  archive.value(rise_.ticks);
+  archive.value(rise_.done);
+  com_x_.archive(archive);
+  com_y_.archive(archive);
+  archive.value(position_);
+  archive.value(shoulder_rest_);
 }
 
 }  // namespace

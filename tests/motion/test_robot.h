@@ -143,6 +143,11 @@ class FakeGait final : public Gait {
     if (!active()) return {};
     return {{Foot::Left, {0.04, 0.05, 0}, {}}, {Foot::Right, {0.08, -0.05, 0}, {}}};
   }
+  std::unique_ptr<Gait> clone() const override { return std::make_unique<FakeGait>(*this); }
+  void archive(Archive& archive) override {
+    archive.value(left_);
+    archive.value(position_);
+  }
 
  private:
   const RobotModel& model_;
