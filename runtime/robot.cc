@@ -7,9 +7,9 @@
 namespace nao::runtime {
 namespace {
 
-std::unique_ptr<motion::MotionEngine> makeEngine(const std::shared_ptr<const RobotModel>& model) {
+motion::MotionEngine makeEngine(const std::shared_ptr<const RobotModel>& model) {
   auto gait = model->feet.size() == 2 ? walk::makeZmpGait(model) : nullptr;
-  return std::make_unique<motion::MotionEngine>(model, std::move(gait));
+  return {model, std::move(gait)};
 }
 
 }  // namespace
@@ -17,7 +17,8 @@ std::unique_ptr<motion::MotionEngine> makeEngine(const std::shared_ptr<const Rob
 Robot::Robot(std::shared_ptr<const RobotModel> model)
     : model_(std::move(model)),
       ports_(std::make_shared<motion::RobotPorts>()),
-      motion_(makeEngine(model_)) {
+      at_start_(makeEngine(model_)),
+      motion_(at_start_) {
   publish();
 }
 
@@ -30,7 +31,7 @@ void Robot::acceptRequests() {
 
 JointCommand Robot::tick(const SensorFrame& frame) {
   for (const motion::MotionRequest& request : ports_->requests.drain()) accept(request);
-  JointCommand command = motion_->update(frame);
+  JointCommand command = motion_.update(frame);
   ports_->sensors.publish(frame);
   publish();
   return command;
@@ -39,24 +40,45 @@ JointCommand Robot::tick(const SensorFrame& frame) {
 void Robot::accept(const motion::MotionRequest& request) {
   open_.insert(request.id);
   last_accepted_ = request.id;
-  motion_->accept(request);
+  motion_.accept(request);
 }
 
 void Robot::restart() {
   acceptRequests();
-  for (const motion::RequestId id : open_) {
-    unsent_.push_back({id, motion::MotionOutcome::Kind::Killed, "the robot was restarted"});
-  }
-  open_.clear();
-  motion_ = makeEngine(model_);
+  endOpen(motion::MotionOutcome::Kind::Killed, "the robot was restarted");
+  motion_ = at_start_;
   publish();
 }
 
+Robot::Snapshot Robot::snapshot() const {
+  Snapshot snapshot{motion_, ports_->sensors.get()};
+  snapshot.motion.forgetCallers();
+  return snapshot;
+}
+
+void Robot::restore(const Snapshot& snapshot) {
+  for (const motion::MotionRequest& request : ports_->requests.drain()) {
+    open_.insert(request.id);
+    last_accepted_ = request.id;
+  }
+  endOpen(motion::MotionOutcome::Kind::Failed, "the simulation was set back to a snapshot");
+  ++set_back_;
+  motion_ = snapshot.motion;
+  ports_->sensors.publish(snapshot.sensors);
+  publish();
+}
+
+void Robot::endOpen(motion::MotionOutcome::Kind kind, const char* reason) {
+  for (const motion::RequestId id : open_) unsent_.push_back({id, kind, reason});
+  open_.clear();
+}
+
 void Robot::publish() {
-  motion::MotionState state = motion_->state();
+  motion::MotionState state = motion_.state();
   state.last_accepted = last_accepted_;
+  state.set_back = set_back_;
   ports_->state.publish(std::move(state));
-  for (motion::MotionOutcome& outcome : motion_->takeOutcomes()) {
+  for (motion::MotionOutcome& outcome : motion_.takeOutcomes()) {
     open_.erase(outcome.id);
     unsent_.push_back(std::move(outcome));
   }

@@ -33,15 +33,32 @@ class Robot {
   /// Forgets every motion, as after a power cycle; requests under way end as killed.
   void restart();
 
+  /// All of the robot that goes on in time, as a value.
+  struct Snapshot {
+    motion::MotionEngine motion;
+    std::shared_ptr<const SensorFrame> sensors;  // published last, or null
+  };
+  Snapshot snapshot() const;
+
+  /// Sets the robot, or one of the same model, back. Requests that have not ended fail with one
+  /// text, those posted before and after the snapshot alike: nobody waits for what goes on.
+  void restore(const Snapshot& snapshot);
+
+  /// Adds what decides how the robot goes on.
+  void addTo(Archive& hash) const { motion_.addTo(hash); }
+
  private:
   void accept(const motion::MotionRequest& request);
   void publish();
+  void endOpen(motion::MotionOutcome::Kind kind, const char* reason);
 
   std::shared_ptr<const RobotModel> model_;
   std::shared_ptr<motion::RobotPorts> ports_;
-  std::unique_ptr<motion::MotionEngine> motion_;
+  const motion::MotionEngine at_start_;
+  motion::MotionEngine motion_;
   std::set<motion::RequestId> open_;           // accepted and not yet ended
   motion::RequestId last_accepted_ = 0;        // outlives restarts, as clients' counts do
+  std::uint64_t set_back_ = 0;                 // how often
   std::vector<motion::MotionOutcome> unsent_;  // while the mailbox is full
 };
 

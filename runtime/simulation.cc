@@ -15,8 +15,8 @@ void checkIndex(std::size_t index, std::size_t count, const char* what) {
 }  // namespace
 
 Simulation::Simulation(std::shared_ptr<const WorldModel> world,
-                       const std::vector<sim::RobotSetup>& robots, Duration step)
-    : world_(std::move(world), robots, step) {
+                       const std::vector<sim::RobotSetup>& robots, sim::WorldOptions options)
+    : world_(std::move(world), robots, options) {
   for (const sim::RobotSetup& robot : robots)
     robots_.push_back(std::make_unique<Robot>(robot.model));
   truth_.publish(world_.scene());
@@ -56,6 +56,50 @@ void Simulation::acceptRequests() {
   for (auto& robot : robots_) robot->acceptRequests();
 }
 
+std::shared_ptr<const Simulation::Snapshot> Simulation::snapshot() const {
+  auto snapshot = std::make_shared<Snapshot>();
+  snapshot->world = world_.snapshot();
+  snapshot->robots.reserve(robots_.size());
+  for (const auto& robot : robots_) snapshot->robots.push_back(robot->snapshot());
+  return snapshot;
+}
+
+void Simulation::restore(const Snapshot& snapshot) {
+  NAO_CHECK(snapshot.robots.size() == robots_.size());
+  world_.restore(*snapshot.world);
+  for (std::size_t i = 0; i < robots_.size(); ++i) robots_[i]->restore(snapshot.robots[i]);
+  truth_.publish(world_.scene());
+}
+
+std::uint64_t Simulation::hash() const {
+  Archive hash = Archive::hashing();
+  std::uint64_t world = world_.hash();
+  hash.value(world);
+  for (const auto& robot : robots_) robot->addTo(hash);
+  return hash.hash();
+}
+
+void Simulation::keepSnapshot(const std::string& name) {
+  if (snapshots_.count(name) == 0 && snapshots_.size() >= kMostSnapshots) {
+    throw InputError("there are " + std::to_string(kMostSnapshots) +
+                     " snapshots already, expected one to be dropped first");
+  }
+  snapshots_[name] = snapshot();
+}
+
+const std::shared_ptr<const Simulation::Snapshot>& Simulation::findSnapshot(
+    const std::string& name) const {
+  const auto found = snapshots_.find(name);
+  if (found == snapshots_.end()) throw InputError("there is no snapshot '" + name + "'");
+  return found->second;
+}
+
+std::vector<std::string> Simulation::snapshotNames() const {
+  std::vector<std::string> names;
+  for (const auto& [name, snapshot] : snapshots_) names.push_back(name);
+  return names;
+}
+
 void Simulation::apply(const WorldRequest& request) {
   std::visit(Overloaded{[this](const PushRobot& r) {
                           checkIndex(r.robot, robots_.size(), "robot");
@@ -73,6 +117,12 @@ void Simulation::apply(const WorldRequest& request) {
                         [this](const ResetWorld&) {
                           world_.reset();
                           for (auto& robot : robots_) robot->restart();
+                        },
+                        [this](const TakeSnapshot& r) { keepSnapshot(r.name); },
+                        [this](const RestoreSnapshot& r) { restore(*findSnapshot(r.name)); },
+                        [this](const DropSnapshot& r) {
+                          findSnapshot(r.name);
+                          snapshots_.erase(r.name);
                         }},
              request);
   truth_.publish(world_.scene());

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "camera/render_queue.h"
@@ -18,7 +20,7 @@ namespace nao::runtime {
 class Simulation {
  public:
   Simulation(std::shared_ptr<const WorldModel> world, const std::vector<sim::RobotSetup>& robots,
-             Duration step);
+             sim::WorldOptions options);
 
   SimTime now() const { return world_.now(); }
   Duration stepSize() const { return world_.stepSize(); }
@@ -34,7 +36,26 @@ class Simulation {
   /// Takes requests over without moving time, as while paused.
   void acceptRequests();
 
-  /// @throws InputError for a robot or ball that does not exist.
+  /// A complete state, motions and walk included. Immutable; any thread may keep or drop it.
+  struct Snapshot {
+    std::shared_ptr<const sim::World::Snapshot> world;
+    std::vector<Robot::Snapshot> robots;
+  };
+  std::shared_ptr<const Snapshot> snapshot() const;
+
+  /// Goes back to a state of this simulation or of one made alike, time too, and goes on from there
+  /// to the last bit as that one did. Requests that have not ended fail; pictures under way stay.
+  void restore(const Snapshot& snapshot);
+
+  /// A number that two runs share only if world and robots are in the same state to the last bit.
+  std::uint64_t hash() const;
+
+  /// How many snapshots a simulation keeps by name.
+  static constexpr std::size_t kMostSnapshots = 64;
+  std::vector<std::string> snapshotNames() const;
+
+  /// @throws InputError for a robot, ball or snapshot that does not exist, and for a snapshot too
+  /// many.
   void apply(const WorldRequest& request);
 
   /// From now on the pictures due for a robot's cameras are offered to `queue`.
@@ -46,6 +67,8 @@ class Simulation {
  private:
   void tickDueRobots();
   void offerPictures();
+  void keepSnapshot(const std::string& name);
+  const std::shared_ptr<const Snapshot>& findSnapshot(const std::string& name) const;
 
   struct Eyes {
     std::shared_ptr<camera::RenderQueue> queue;
@@ -56,6 +79,7 @@ class Simulation {
   std::vector<std::unique_ptr<Robot>> robots_;
   std::vector<Eyes> eyes_;
   Latest<SceneFrame> truth_;
+  std::map<std::string, std::shared_ptr<const Snapshot>> snapshots_;
 };
 
 }  // namespace nao::runtime

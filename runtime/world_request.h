@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <variant>
 
 #include "core/frames.h"
@@ -25,7 +26,20 @@ struct PlaceBall {
 /// Everything back to how it began; simulated time goes on.
 struct ResetWorld {};
 
+/// Keeps the present state under a name, in place of one that had this name.
+struct TakeSnapshot {
+  std::string name;
+};
+/// Everything back to that state, time too; motion requests under way fail.
+struct RestoreSnapshot {
+  std::string name;
+};
+struct DropSnapshot {
+  std::string name;
+};
+
 /// What changes the world from outside: the simulator's user, never a NaoQi service.
-using WorldRequest = std::variant<PushRobot, PlaceRobot, PlaceBall, ResetWorld>;
+using WorldRequest = std::variant<PushRobot, PlaceRobot, PlaceBall, ResetWorld, TakeSnapshot,
+                                  RestoreSnapshot, DropSnapshot>;
 
 }  // namespace nao::runtime
