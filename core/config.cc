@@ -12,10 +12,9 @@ namespace {
 
 using Kind = ConfigNode::Kind;
 
-[[noreturn]] void throwAt(const std::string& file, int line, const std::string& key,
+[[noreturn]] void throwAt(const ConfigNode& node, const std::string& key,
                           const std::string& expected, const std::string& found) {
-  throw InputError(
-      complaint(file, line, "`" + key + "`: expected " + expected + ", found " + found));
+  throw InputError(complaint(node, "`" + key + "`: expected " + expected + ", found " + found));
 }
 
 std::string expectedNumber(Interval accepted) {
@@ -30,66 +29,64 @@ std::string expectedNumber(Interval accepted) {
   return text.str();
 }
 
-double toNumber(const std::string& file, const std::string& key, const ConfigNode& node,
-                Interval accepted) {
+double toNumber(const std::string& key, const ConfigNode& node, Interval accepted) {
   const auto value = node.kind == Kind::Scalar ? parseNumber(node.text) : std::nullopt;
   if (!value || *value < accepted.low || *value > accepted.high) {
-    throwAt(file, node.line, key, expectedNumber(accepted), node.described());
+    throwAt(node, key, expectedNumber(accepted), node.described());
   }
   return *value;
 }
 
-std::string toText(const std::string& file, const std::string& key, const ConfigNode& node) {
+std::string toText(const std::string& key, const ConfigNode& node) {
   if (node.kind != Kind::Scalar || node.text.empty()) {
-    throwAt(file, node.line, key, "a word", node.described());
+    throwAt(node, key, "a word", node.described());
   }
   return node.text;
 }
 
-std::vector<double> toNumbers(const std::string& file, const std::string& key,
-                              const ConfigNode& node, std::size_t count, Interval accepted) {
+std::vector<double> toNumbers(const std::string& key, const ConfigNode& node, std::size_t count,
+                              Interval accepted) {
   const std::string expected =
       count == 0 ? "a list of numbers" : "a list of " + std::to_string(count) + " numbers";
-  if (node.kind != Kind::List) throwAt(file, node.line, key, expected, node.described());
+  if (node.kind != Kind::List) throwAt(node, key, expected, node.described());
   if (count != 0 && node.children.size() != count) {
-    throwAt(file, node.line, key, expected, std::to_string(node.children.size()));
+    throwAt(node, key, expected, std::to_string(node.children.size()));
   }
   std::vector<double> values;
   for (const ConfigNode& child : node.children) {
-    values.push_back(toNumber(file, key, child, accepted));
+    values.push_back(toNumber(key, child, accepted));
   }
   return values;
 }
 
-const std::vector<ConfigNode>& toList(const std::string& file, const std::string& key,
-                                      const ConfigNode& node) {
-  if (node.kind != Kind::List) throwAt(file, node.line, key, "a list", node.described());
+const std::vector<ConfigNode>& toList(const std::string& key, const ConfigNode& node) {
+  if (node.kind != Kind::List) throwAt(node, key, "a list", node.described());
   return node.children;
 }
 
 }  // namespace
 
 void Config::read(const std::string& file, const Visitor& visit) {
-  const ConfigNode root = parseConfigFile(file);
-  if (root.kind != Kind::Map) {
-    throw InputError(complaint(file, root.line, "expected keys, found " + root.described()));
-  }
-  visitMap(file, root, "", visit);
+  read(parseConfigFile(file), visit);
 }
 
-void Config::visitMap(const std::string& file, const ConfigNode& node, const std::string& key,
-                      const Visitor& visit) {
-  if (node.kind != Kind::Map) throwAt(file, node.line, key, "a map of keys", node.described());
-  Config config(file, node);
+void Config::read(const ConfigNode& root, const Visitor& visit) {
+  if (root.kind != Kind::Map) {
+    throw InputError(complaint(root, "expected keys, found " + root.described()));
+  }
+  visitMap(root, "", visit);
+}
+
+void Config::visitMap(const ConfigNode& node, const std::string& key, const Visitor& visit) {
+  if (node.kind != Kind::Map) throwAt(node, key, "a map of keys", node.described());
+  Config config(node);
   visit(config);
   config.rejectUnknownKeys();
 }
 
 const ConfigNode* Config::find(const std::string& key) {
   asked_.insert(key);
-  const auto found = std::find(node_.keys.begin(), node_.keys.end(), key);
-  if (found == node_.keys.end()) return nullptr;
-  return &node_.children[static_cast<std::size_t>(found - node_.keys.begin())];
+  return node_.find(key);
 }
 
 const ConfigNode& Config::need(const std::string& key, const std::string& expected) {
@@ -103,17 +100,19 @@ void Config::rejectUnknownKeys() const {
     if (asked_.count(node_.keys[i])) continue;
     std::string known;
     for (const std::string& key : asked_) known += (known.empty() ? "" : ", ") + key;
-    throw InputError(complaint(file_, node_.children[i].line,
+    throw InputError(complaint(node_.children[i],
                                "`" + node_.keys[i] + "`: unknown key, expected one of " + known));
   }
 }
+
+const std::string& Config::file() const { return *node_.file; }
 
 bool Config::has(const std::string& key) { return find(key) != nullptr; }
 
 std::vector<std::string> Config::keys() const { return node_.keys; }
 
 double Config::number(const std::string& key, Interval accepted) {
-  return toNumber(file_, key, need(key, expectedNumber(accepted)), accepted);
+  return toNumber(key, need(key, expectedNumber(accepted)), accepted);
 }
 
 double Config::number(const std::string& key, Interval accepted, double otherwise) {
@@ -126,7 +125,7 @@ int Config::integer(const std::string& key, int low, int high) {
   const ConfigNode& node = need(key, expected);
   const auto value = node.kind == Kind::Scalar ? parseNumber(node.text) : std::nullopt;
   if (!value || *value < low || *value > high || *value != std::floor(*value)) {
-    throwAt(file_, node.line, key, expected, node.described());
+    throwAt(node, key, expected, node.described());
   }
   return static_cast<int>(*value);
 }
@@ -139,12 +138,12 @@ bool Config::flag(const std::string& key, bool otherwise) {
   const ConfigNode* node = find(key);
   if (node == nullptr) return otherwise;
   if (node->kind != Kind::Scalar || (node->text != "true" && node->text != "false")) {
-    throwAt(file_, node->line, key, "true or false", node->described());
+    throwAt(*node, key, "true or false", node->described());
   }
   return node->text == "true";
 }
 
-std::string Config::text(const std::string& key) { return toText(file_, key, need(key, "a word")); }
+std::string Config::text(const std::string& key) { return toText(key, need(key, "a word")); }
 
 std::string Config::text(const std::string& key, const std::string& otherwise) {
   return has(key) ? text(key) : otherwise;
@@ -152,20 +151,30 @@ std::string Config::text(const std::string& key, const std::string& otherwise) {
 
 std::vector<std::string> Config::texts(const std::string& key) {
   std::vector<std::string> values;
-  for (const ConfigNode& child : toList(file_, key, need(key, "a list of words"))) {
-    values.push_back(toText(file_, key, child));
+  for (const ConfigNode& child : toList(key, need(key, "a list of words"))) {
+    values.push_back(toText(key, child));
+  }
+  return values;
+}
+
+std::vector<std::pair<std::string, std::string>> Config::pairs(const std::string& key) {
+  std::vector<std::pair<std::string, std::string>> values;
+  for (const ConfigNode& child : toList(key, need(key, "a list of pairs"))) {
+    const auto& words = toList(key, child);
+    if (words.size() != 2) throwAt(child, key, "pairs of words", std::to_string(words.size()));
+    values.emplace_back(toText(key, words[0]), toText(key, words[1]));
   }
   return values;
 }
 
 std::vector<double> Config::numbers(const std::string& key, std::size_t count, Interval accepted) {
-  return toNumbers(file_, key, need(key, "a list of numbers"), count, accepted);
+  return toNumbers(key, need(key, "a list of numbers"), count, accepted);
 }
 
 std::vector<std::vector<double>> Config::rows(const std::string& key, std::size_t width) {
   std::vector<std::vector<double>> values;
-  for (const ConfigNode& child : toList(file_, key, need(key, "a list of rows"))) {
-    values.push_back(toNumbers(file_, key, child, width, {}));
+  for (const ConfigNode& child : toList(key, need(key, "a list of rows"))) {
+    values.push_back(toNumbers(key, child, width, {}));
   }
   return values;
 }
@@ -195,24 +204,24 @@ Pose Config::pose() {
 
 void Config::map(const std::string& key, Presence presence, const Visitor& visit) {
   const ConfigNode* node = presence == Presence::Required ? &need(key, "a map of keys") : find(key);
-  if (node != nullptr) visitMap(file_, *node, key, visit);
+  if (node != nullptr) visitMap(*node, key, visit);
 }
 
 void Config::list(const std::string& key, Presence presence, const Visitor& visit) {
   const ConfigNode* node = presence == Presence::Required ? &need(key, "a list") : find(key);
   if (node == nullptr) return;
-  for (const ConfigNode& child : toList(file_, key, *node)) visitMap(file_, child, key, visit);
+  for (const ConfigNode& child : toList(key, *node)) visitMap(child, key, visit);
 }
 
 void Config::reject(const std::string& key, const std::string& expected) {
   const ConfigNode& node = need(key, expected);
-  throwAt(file_, node.line, key, expected, node.described());
+  throwAt(node, key, expected, node.described());
 }
 
-std::string Config::place() const { return file_ + ":" + std::to_string(node_.line); }
+std::string Config::place() const { return file() + ":" + std::to_string(node_.line); }
 
 void Config::fail(const std::string& sentence) const {
-  throw InputError(complaint(file_, node_.line, sentence));
+  throw InputError(complaint(node_, sentence));
 }
 
 }  // namespace nao

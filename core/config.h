@@ -5,6 +5,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/frames.h"
@@ -33,9 +34,11 @@ class Config {
 
   /// Parses `file` and visits its top map.
   static void read(const std::string& file, const Visitor& visit);
+  /// Visits a map already parsed, whose keys may come from several files.
+  static void read(const ConfigNode& root, const Visitor& visit);
 
   bool has(const std::string& key);
-  const std::string& file() const { return file_; }
+  const std::string& file() const;
   /// "file:line" of this map, for those who can judge its numbers only later.
   std::string place() const;
   /// The keys of this map in file order, for maps whose keys are names chosen by the user.
@@ -49,6 +52,8 @@ class Config {
   std::string text(const std::string& key);
   std::string text(const std::string& key, const std::string& otherwise);
   std::vector<std::string> texts(const std::string& key);
+  /// A list of lists of two words.
+  std::vector<std::pair<std::string, std::string>> pairs(const std::string& key);
 
   /// A list of exactly `count` numbers, or of any number of them for count 0.
   std::vector<double> numbers(const std::string& key, std::size_t count, Interval accepted = {});
@@ -72,14 +77,12 @@ class Config {
   [[noreturn]] void fail(const std::string& sentence) const;
 
  private:
-  Config(const std::string& file, const ConfigNode& node) : file_(file), node_(node) {}
-  static void visitMap(const std::string& file, const ConfigNode& node, const std::string& key,
-                       const Visitor& visit);
+  explicit Config(const ConfigNode& node) : node_(node) {}
+  static void visitMap(const ConfigNode& node, const std::string& key, const Visitor& visit);
   const ConfigNode* find(const std::string& key);
   const ConfigNode& need(const std::string& key, const std::string& expected);
   void rejectUnknownKeys() const;
 
-  const std::string& file_;
   const ConfigNode& node_;
   std::set<std::string> asked_;
 };

@@ -12,20 +12,22 @@
 namespace nao {
 namespace {
 
+using FileName = std::shared_ptr<const std::string>;
+
 int lineOf(const YAML::Mark& mark) { return mark.is_null() ? 1 : mark.line + 1; }
 
-ConfigNode convert(const YAML::Node& yaml, const std::string& file);
+ConfigNode convert(const YAML::Node& yaml, const FileName& file);
 
-void convertMap(const YAML::Node& yaml, const std::string& file, ConfigNode& node) {
+void convertMap(const YAML::Node& yaml, const FileName& file, ConfigNode& node) {
   node.kind = ConfigNode::Kind::Map;
   for (const auto& entry : yaml) {
     const int line = lineOf(entry.first.Mark());
     if (!entry.first.IsScalar()) {
-      throw InputError(complaint(file, line, "expected a word as key, found a list or map"));
+      throw InputError(complaint(*file, line, "expected a word as key, found a list or map"));
     }
     const std::string key = entry.first.Scalar();
     if (std::count(node.keys.begin(), node.keys.end(), key) > 0) {
-      throw InputError(complaint(file, line, "`" + key + "`: given twice"));
+      throw InputError(complaint(*file, line, "`" + key + "`: given twice"));
     }
     node.keys.push_back(key);
     node.children.push_back(convert(entry.second, file));
@@ -33,8 +35,9 @@ void convertMap(const YAML::Node& yaml, const std::string& file, ConfigNode& nod
   }
 }
 
-ConfigNode convert(const YAML::Node& yaml, const std::string& file) {
+ConfigNode convert(const YAML::Node& yaml, const FileName& file) {
   ConfigNode node;
+  node.file = file;
   node.line = lineOf(yaml.Mark());
   if (yaml.IsScalar()) {
     node.kind = ConfigNode::Kind::Scalar;
@@ -64,11 +67,17 @@ std::string ConfigNode::described() const {
   return {};
 }
 
+const ConfigNode* ConfigNode::find(const std::string& key) const {
+  const auto found = std::find(keys.begin(), keys.end(), key);
+  if (found == keys.end()) return nullptr;
+  return &children[static_cast<std::size_t>(found - keys.begin())];
+}
+
 ConfigNode parseConfigFile(const std::string& file) {
   std::ifstream stream(file);
   if (!stream) throw InputError(file + ": can not be read");
   try {
-    return convert(YAML::Load(stream), file);
+    return convert(YAML::Load(stream), std::make_shared<const std::string>(file));
   } catch (const YAML::Exception& problem) {
     throw InputError(complaint(file, lineOf(problem.mark), "not YAML: " + problem.msg));
   }
@@ -86,6 +95,10 @@ std::optional<double> parseNumber(const std::string& text) {
 
 std::string complaint(const std::string& file, int line, const std::string& sentence) {
   return file + ":" + std::to_string(line) + ": " + sentence;
+}
+
+std::string complaint(const ConfigNode& node, const std::string& sentence) {
+  return complaint(*node.file, node.line, sentence);
 }
 
 }  // namespace nao

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,13 +12,16 @@ namespace nao {
 struct ConfigNode {
   enum class Kind { Empty, Scalar, List, Map };
   Kind kind = Kind::Empty;
-  int line = 1;                   // from 1
-  std::string text;               // scalar
-  std::vector<std::string> keys;  // map, in file order; keys[i] belongs to children[i]
+  std::shared_ptr<const std::string> file;  // never null in a parsed node
+  int line = 1;                             // from 1
+  std::string text;                         // scalar
+  std::vector<std::string> keys;            // map, in file order; keys[i] belongs to children[i]
   std::vector<ConfigNode> children;
 
   /// For a message: the scalar itself, or what kind of thing stands there.
   std::string described() const;
+  /// The child at `key` of a map, or null.
+  const ConfigNode* find(const std::string& key) const;
 };
 
 /// @throws InputError when the file can not be read, is not YAML or gives a key twice.
@@ -28,5 +32,6 @@ std::optional<double> parseNumber(const std::string& text);
 
 /// "file:line: sentence", the form of every complaint about a file.
 std::string complaint(const std::string& file, int line, const std::string& sentence);
+std::string complaint(const ConfigNode& node, const std::string& sentence);
 
 }  // namespace nao
