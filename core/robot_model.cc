@@ -19,24 +19,7 @@ std::optional<std::size_t> findNamed(const List& list, std::string_view name) {
   return static_cast<std::size_t>(found - list.begin());
 }
 
-std::vector<std::string> knownRobots(const std::string& robots_dir) {
-  std::vector<std::string> names;
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(robots_dir, ignored)) {
-    if (fs::exists(entry.path() / "model.urdf")) names.push_back(entry.path().filename().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-void requireKnown(const std::string& robots_dir, const std::string& name) {
-  const auto known = knownRobots(robots_dir);
-  if (std::count(known.begin(), known.end(), name) > 0) return;
-  std::string list;
-  for (const std::string& robot : known) list += (list.empty() ? "" : ", ") + robot;
-  throw InputError("robot '" + name + "' is unknown, expected one of: " +
-                   (list.empty() ? "(none in " + robots_dir + ")" : list));
-}
+bool isUrdf(const std::string& name) { return fs::path(name).extension() == ".urdf"; }
 
 }  // namespace
 
@@ -78,21 +61,26 @@ const Posture* RobotModel::findPosture(std::string_view posture_name) const {
 
 std::shared_ptr<const RobotModel> loadRobotModel(const std::string& robots_dir,
                                                  const std::string& name) {
-  requireKnown(robots_dir, name);
-  const fs::path folder = fs::path(robots_dir) / name;
-  const UrdfRobot urdf = readUrdf((folder / "model.urdf").string());
-
+  RobotFiles files;
+  if (isUrdf(name)) {
+    files.urdf = name;
+  } else {
+    files = findRobotFiles(robots_dir, name);
+  }
+  const UrdfRobot urdf = readUrdf(files.urdf);
   auto model = std::make_shared<RobotModel>();
-  model->name = name;
+  model->name = isUrdf(name) ? fs::path(name).stem().string() : name;
   model->bodies = urdf.bodies;
   model->frames = urdf.frames;
-  readBody((folder / "body.yaml").string(), urdf, *model);
+  if (files.body) {
+    readBody(*files.body, urdf, *model);
+  } else {
+    assumeBody(urdf, *model);
+  }
   checkBodies(urdf, *model);
-
-  const std::string postures = (folder / "postures.yaml").string();
-  const std::string cameras = (folder / "cameras.yaml").string();
-  if (fs::exists(postures)) readPostures(postures, *model);
-  if (fs::exists(cameras)) readCameras(cameras, *model);
+  finishCollisions(urdf, *model);
+  if (!files.postures.empty()) readPostures(files.postures, *model);
+  if (!files.cameras.empty()) readCameras(files.cameras, *model);
   return model;
 }
 

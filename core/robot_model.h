@@ -97,6 +97,15 @@ struct FootModel {
   std::array<Vec3, 4> fsr;               // [m] in the ankle frame: FL, FR, RL, RR
 };
 
+/// The ultrasonic sensors. Transmitters and receivers are frames that look along their x axis.
+struct SonarModel {
+  double min_range = 0;           // [m] nearer things are there, no more is known
+  double max_range = 0;           // [m] what no echo reports
+  double half_cone = 0;           // [rad] about the x axis of a transmitter
+  std::vector<int> transmitters;  // indices of RobotModel::frames, left first; none: no sonar
+  std::vector<int> receivers;     // likewise
+};
+
 /// A sphere of a body that touches the ground (a foot's corners are not among them).
 struct ContactSphere {
   int body = 0;
@@ -142,10 +151,15 @@ struct RobotModel {
   int imu_body = 0;
   Vec3 p_BoImu = Vec3::Zero();
   int gyro_axes = 3;  // 2 on V3.x and V4
+  SonarModel sonar;
 
   std::vector<EffectSetting> effects;    // always on
   std::vector<EffectSetting> variation;  // on in runs that have a seed: why real runs differ
-  std::vector<std::pair<int, int>> no_collision;  // bodies that never touch each other
+  /// Bodies that never touch each other, the lower number first: the two of every hinge, and
+  /// those the file names because their solids overlap where the real ones do not.
+  std::vector<std::pair<int, int>> no_collision;
+  /// What the files left open and how it was filled in, one sentence each: for the user.
+  std::vector<std::string> notes;
 
   /// NaoQi's names, in NaoQi's order; "Body" has RHipYawPitch although there is no such motor.
   std::map<std::string, std::vector<std::string>> groups;
@@ -161,7 +175,9 @@ struct RobotModel {
   const Posture* findPosture(std::string_view name) const;
 };
 
-/// Reads robots/<name>/ below `robots_dir`: model.urdf, body.yaml, postures.yaml, cameras.yaml.
+/// Reads robots/<name>/ below `robots_dir`: model.urdf, body.yaml, postures.yaml, cameras.yaml;
+/// or, if `name` is a path that ends in .urdf, that file. A URDF alone is completed by defaults
+/// (core/robot_model_bare.cc), told in RobotModel::notes.
 /// @throws InputError naming file and line; for an unknown name it lists the known ones.
 std::shared_ptr<const RobotModel> loadRobotModel(const std::string& robots_dir,
                                                  const std::string& name);

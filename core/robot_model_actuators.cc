@@ -64,11 +64,22 @@ void readRange(Config& entry, const UrdfRobot& urdf, Actuator& actuator) {
   actuator.max_torque = entry.number("max_torque", kPositive);
 }
 
+// A hinge with the drive `none` turns freely: it has sensors and a name, but no torque.
+Actuator driveAt(Config& entry, const std::map<std::string, Actuator>& drives) {
+  const std::string name = entry.text("drive");
+  if (name == "none") {
+    Actuator nothing;
+    nothing.no_load_speed = 1;  // any: a torque of 0 falls to 0
+    return nothing;
+  }
+  const auto drive = drives.find(name);
+  if (drive == drives.end()) entry.reject("drive", "one of `drives`, or none");
+  return drive->second;
+}
+
 void readActuator(Config& entry, const std::map<std::string, Actuator>& drives,
                   const UrdfRobot& urdf, RobotModel& model) {
-  const auto drive = drives.find(entry.text("drive"));
-  if (drive == drives.end()) entry.reject("drive", "one of `drives`");
-  Actuator actuator = drive->second;
+  Actuator actuator = driveAt(entry, drives);
   actuator.name = entry.text("name");
   if (model.findJoint(actuator.name)) entry.reject("name", "each name once");
   if (model.actuators.size() == kMaxJoints) {
@@ -83,7 +94,8 @@ void addCoordinate(const UrdfHinge& hinge, const std::string& file, RobotModel& 
   if (!joint) {
     throw InputError(complaint(file, hinge.line,
                                "joint '" + hinge.name + "': expected an actuator for it in " +
-                                   "body.yaml, or a <mimic> of a joint that has one"));
+                                   "body.yaml (with `drive: none` if it turns freely), or a " +
+                                   "<mimic> of a joint that has one"));
   }
   Actuator& actuator = model.actuators[index(*joint)];
   actuator.coordinates.push_back(static_cast<int>(model.coordinates.size()));
@@ -96,6 +108,10 @@ void readActuators(Config& body, const UrdfRobot& urdf, RobotModel& model) {
   const auto drives = readDrives(body);
   body.list("actuators", Config::Presence::Required,
             [&](Config& entry) { readActuator(entry, drives, urdf, model); });
+  connectHinges(urdf, model);
+}
+
+void connectHinges(const UrdfRobot& urdf, RobotModel& model) {
   for (const UrdfHinge& hinge : urdf.hinges) addCoordinate(hinge, urdf.file, model);
   for (const UrdfHinge& hinge : urdf.hinges) {
     if (!hinge.mimics.empty()) model.aliases[hinge.name] = hinge.mimics;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "core/robot_model_parts.h"
 
@@ -29,6 +30,8 @@ void readCoupledLimits(Config& body, RobotModel& model) {
       limit.rows.push_back({row[0], row[1], row[2]});
     }
     if (limit.rows.empty()) entry.reject("rows", "one row or more");
+    limit.stop = entry.flag("stop", true);
+    limit.clip = entry.flag("clip", true);
     model.coupled_limits.push_back(limit);
   });
 }
@@ -95,21 +98,6 @@ void readAliases(Config& body, RobotModel& model) {
   });
 }
 
-// The groups every robot has, whatever its file says.
-void addDefaultGroups(RobotModel& model) {
-  std::vector<std::string> all;
-  std::vector<std::string> turning;
-  std::vector<std::string> others;
-  for (const Actuator& actuator : model.actuators) {
-    all.push_back(actuator.name);
-    (actuator.coordinates.empty() ? others : turning).push_back(actuator.name);
-  }
-  model.groups.emplace("Body", all);
-  model.groups.emplace("JointActuators", all);
-  model.groups.emplace("Joints", turning);
-  model.groups.emplace("Actuators", others);
-}
-
 // A group holds joints, or names of other groups ("Chains").
 void readGroups(Config& body, RobotModel& model) {
   body.map("groups", Presence::Optional, [&](Config& groups) {
@@ -128,7 +116,62 @@ void readGroups(Config& body, RobotModel& model) {
   addDefaultGroups(model);
 }
 
+// Motors that share a board, by the board's name.
+void readBoards(Config& body, RobotModel& model) {
+  body.map("boards", Presence::Optional, [&](Config& boards) {
+    int number = 0;
+    for (const std::string& board : boards.keys()) {
+      for (const std::string& name : boards.texts(board)) {
+        const auto joint = model.findJoint(name);
+        if (!joint || model.actuators[index(*joint)].board >= 0) {
+          boards.reject(board, "names of actuators, each on one board, '" + name + "' is not");
+        }
+        model.actuators[index(*joint)].board = number;
+      }
+      ++number;
+    }
+  });
+}
+
+// Indices of the frames named at `key`.
+std::vector<int> framesAt(Config& config, const std::string& key, const RobotModel& model) {
+  std::vector<int> indices;
+  for (const std::string& name : config.texts(key)) {
+    const auto found = std::find_if(model.frames.begin(), model.frames.end(),
+                                    [&](const Frame& frame) { return frame.name == name; });
+    if (found == model.frames.end()) config.reject(key, "names of `frames`, '" + name + "' is not");
+    indices.push_back(static_cast<int>(found - model.frames.begin()));
+  }
+  return indices;
+}
+
+void readSonar(Config& body, RobotModel& model) {
+  body.map("sonar", Presence::Optional, [&](Config& entry) {
+    SonarModel& sonar = model.sonar;
+    sonar.min_range = entry.number("min", kNotNegative);
+    sonar.max_range = entry.number("max", kPositive);
+    if (sonar.max_range <= sonar.min_range) entry.reject("max", "more than `min`");
+    sonar.half_cone = 0.5 * entry.number("cone_deg", {1, 180}) * M_PI / 180;
+    sonar.transmitters = framesAt(entry, "transmitters", model);
+    sonar.receivers = framesAt(entry, "receivers", model);
+  });
+}
+
 }  // namespace
+
+void addDefaultGroups(RobotModel& model) {
+  std::vector<std::string> all;
+  std::vector<std::string> turning;
+  std::vector<std::string> others;
+  for (const Actuator& actuator : model.actuators) {
+    all.push_back(actuator.name);
+    (actuator.coordinates.empty() ? others : turning).push_back(actuator.name);
+  }
+  model.groups.emplace("Body", all);
+  model.groups.emplace("JointActuators", all);
+  model.groups.emplace("Joints", turning);
+  model.groups.emplace("Actuators", others);
+}
 
 Joint jointAt(Config& config, const std::string& key, const RobotModel& model) {
   const auto joint = model.findJoint(config.text(key));
@@ -142,8 +185,9 @@ int bodyAt(Config& config, const std::string& key, const RobotModel& model) {
   return *body;
 }
 
-void readBody(const std::string& file, const UrdfRobot& urdf, RobotModel& model) {
+void readBody(const ConfigNode& file, const UrdfRobot& urdf, RobotModel& model) {
   Config::read(file, [&](Config& body) {
+    body.has("like");  // followed already
     model.body_type = body.text("body_type", model.name);
     model.version = body.text("version", "1");
     model.cycle = std::chrono::milliseconds(body.integer("cycle_ms", 1, 100, 10));
@@ -151,14 +195,18 @@ void readBody(const std::string& file, const UrdfRobot& urdf, RobotModel& model)
     if (body.flag("repair_inertia", false)) {
       for (Body& part : model.bodies) part.I_Bcm = nearestSolid(part.I_Bcm);
     }
+    readSolids(body, model);
     readActuators(body, urdf, model);
     readAliases(body, model);
     readGroups(body, model);
+    readBoards(body, model);
     readCoupledLimits(body, model);
     readImu(body, model);
     readFeet(body, model);
     readContactSpheres(body, model);
     readFrames(body, model);
+    readSonar(body, model);
+    readNoCollision(body, model);
     model.effects = readEffects(body, "effects", model);
     model.variation = readEffects(body, "variation", model);
   });

@@ -18,7 +18,8 @@ double excessOf(const Vec3& moments) {
   return std::max(0.0, moments.z() * (1 - kRounding) - moments.x() - moments.y());
 }
 
-// What is wrong with a body that moves, or nothing.
+}  // namespace
+
 std::string flawOf(const Body& body) {
   if (!(body.mass > 0)) return "a body that moves needs an <inertial> with a mass above 0";
   const Vec3 moments = Eigen::SelfAdjointEigenSolver<Mat3>(body.I_Bcm).eigenvalues();
@@ -29,8 +30,6 @@ std::string flawOf(const Body& body) {
   }
   return {};
 }
-
-}  // namespace
 
 Mat3 nearestSolid(const Mat3& inertia) {
   const Eigen::SelfAdjointEigenSolver<Mat3> solver(inertia);

@@ -93,18 +93,36 @@ void addInertial(const urdf::Inertial& inertial, const Pose& X_BL, Body& body) {
   body.p_BoBcm = com;
 }
 
-void addShapes(const urdf::Link& link, const Pose& X_BL, Body& body) {
+bool endsIn(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+// Round ends for the cylinders called capsules, within their length.
+void roundEnds(const urdf::Collision& collision, Shape& shape) {
+  if (shape.kind != Shape::Kind::Cylinder || !endsIn(collision.name, "capsule")) return;
+  shape.kind = Shape::Kind::Capsule;
+  shape.size.z() = std::max(0.0, shape.size.z() - 2 * shape.size.x());
+}
+
+// True if there was a collision that is no solid of ours.
+bool addShapes(const urdf::Link& link, const Pose& X_BL, Body& body) {
   Shape shape;
   for (const auto& visual : link.visual_array) {
     if (!toShape(visual->geometry, X_BL * toPose(visual->origin), shape)) continue;
     shape.color = toColor(visual->material);
     body.visuals.push_back(shape);
   }
+  bool left_out = false;
   for (const auto& collision : link.collision_array) {
-    if (!toShape(collision->geometry, X_BL * toPose(collision->origin), shape)) continue;
+    if (!toShape(collision->geometry, X_BL * toPose(collision->origin), shape)) {
+      left_out = true;
+      continue;
+    }
     shape.color = {};
+    roundEnds(*collision, shape);
     body.collisions.push_back(shape);
   }
+  return left_out;
 }
 
 class Builder {
@@ -112,8 +130,13 @@ class Builder {
   Builder(const std::string& file, const UrdfLines& lines) : lines_(lines) { robot_.file = file; }
 
   UrdfRobot build(const urdf::Link& root) {
-    startBody(root, -1, Pose::Identity());
-    addLink(root, 0, Pose::Identity());
+    const urdf::Link* first = &root;
+    if (root.child_joints.size() == 1 && root.child_joints[0]->type == urdf::Joint::FLOATING) {
+      first = root.child_links[0].get();
+      robot_.floats = true;
+    }
+    startBody(*first, -1, Pose::Identity());
+    addLink(*first, 0, Pose::Identity());
     return std::move(robot_);
   }
 
@@ -125,13 +148,14 @@ class Builder {
     body.X_PB = X_PB;
     robot_.bodies.push_back(body);
     robot_.body_lines.push_back(lines_.links.at(link.name));
+    robot_.has_mesh.push_back(false);
   }
 
   void addLink(const urdf::Link& link, int body_index, const Pose& X_BL) {
     Body& body = robot_.bodies[static_cast<std::size_t>(body_index)];
     if (link.name != body.name) robot_.frames.push_back({link.name, body_index, X_BL});
     if (link.inertial) addInertial(*link.inertial, X_BL, body);
-    addShapes(link, X_BL, body);
+    if (addShapes(link, X_BL, body)) robot_.has_mesh[static_cast<std::size_t>(body_index)] = true;
     for (const auto& [joint, child] : childrenInFileOrder(link)) {
       const Pose X_BJ = X_BL * toPose(joint->parent_to_joint_origin_transform);
       if (joint->type == urdf::Joint::FIXED) {

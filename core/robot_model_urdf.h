@@ -21,17 +21,21 @@ struct UrdfHinge {
 
 /// A URDF as the model wants it: links joined by fixed joints are one body, and each link that
 /// was joined so is a frame of that body. Parents come before children, children in file order.
-/// Boxes, cylinders and spheres are kept, meshes left out.
+/// Boxes, cylinders and spheres are kept, meshes left out. URDF knows no capsules: a cylinder in a
+/// <collision> whose name ends in "capsule" has round ends, its length going from tip to tip.
 struct UrdfRobot {
   std::string file;
+  bool floats = false;  // the file says itself that the root moves freely
   std::vector<Body> bodies;
   std::vector<int> body_lines;  // of each body's <link>
+  std::vector<bool> has_mesh;   // each body: whether a collision mesh was left out
   std::vector<Frame> frames;
   std::vector<UrdfHinge> hinges;
 };
 
 /// Joints are revolute, continuous or fixed; a mimic joint follows one to one; the two ends of a
-/// range may come in either order, as they do in the wild.
+/// range may come in either order, as they do in the wild. One floating joint may stand between an
+/// empty root and the rest: then the rest is the robot.
 /// Call from one thread at a time: the URDF library reports through a process-wide handler.
 /// @throws InputError naming file and line.
 UrdfRobot readUrdf(const std::string& file);

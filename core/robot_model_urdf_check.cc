@@ -70,17 +70,42 @@ class Checker {
   void checkJoint(const TiXmlElement& joint) {
     const std::string name = attribute(joint, "name");
     const std::string type = attribute(joint, "type");
-    if (type != "revolute" && type != "continuous" && type != "fixed") {
-      fail(joint.Row(), "`type`: expected revolute, continuous or fixed, found '" + type + "'");
-    }
-    link(joint, "parent");
+    const std::string parent = link(joint, "parent");
     const std::string child = link(joint, "child");
+    checkType(joint, type, parent);
+    if (type != "fixed" && name.find('/') != std::string::npos) {
+      fail(joint.Row(), "joint '" + name + "': a joint that moves names keys of the robot's " +
+                            "memory, whose parts `/` separates; expected a name without `/`");
+    }
     if (!children_.insert(child).second) {
       fail(joint.Row(), "`child`: link '" + child + "' has two parent joints");
     }
     if (type == "revolute") checkLimit(joint, name);
     checkMimic(joint);
     checkNumbersBelow(joint);
+  }
+
+  void checkType(const TiXmlElement& joint, const std::string& type,
+                 const std::string& parent) const {
+    if (type == "revolute" || type == "continuous" || type == "fixed") return;
+    if (type == "floating" && isEmptyRoot(parent)) return;
+    fail(joint.Row(), "`type`: expected revolute, continuous or fixed, found '" + type + "'");
+  }
+
+  // An empty link that only one joint leaves: a name for the world.
+  bool isEmptyRoot(const std::string& name) const {
+    const TiXmlElement* robot = xml_.RootElement();
+    int joints = 0;
+    for (const TiXmlElement* e = robot->FirstChildElement("joint"); e != nullptr;
+         e = e->NextSiblingElement("joint")) {
+      if (link(*e, "child") == name) return false;
+      joints += link(*e, "parent") == name ? 1 : 0;
+    }
+    for (const TiXmlElement* e = robot->FirstChildElement("link"); e != nullptr;
+         e = e->NextSiblingElement("link")) {
+      if (attribute(*e, "name") == name && e->FirstChildElement() != nullptr) return false;
+    }
+    return joints == 1;
   }
 
   std::string link(const TiXmlElement& joint, const char* role) const {
@@ -127,11 +152,27 @@ class Checker {
     for (const TiXmlAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
       const auto entry = numbersPerAttribute().find(a->NameTStr());
       const bool is_mass = element.ValueStr() == "mass" && a->NameTStr() == "value";
+      checkSign(element, *a, is_mass);
       const int expected = is_mass ? 1 : entry == numbersPerAttribute().end() ? 0 : entry->second;
       if (expected == 0 || holdsNumbers(a->ValueStr(), expected)) continue;
       const std::string wanted = expected == 1 ? "a number" : std::to_string(expected) + " numbers";
       fail(element.Row(), "`" + a->NameTStr() + "` of <" + element.ValueStr() + ">: expected " +
                               wanted + ", found '" + a->ValueStr() + "'");
+    }
+  }
+
+  // Sizes are above zero, masses not below it.
+  void checkSign(const TiXmlElement& element, const TiXmlAttribute& a, bool is_mass) const {
+    const bool is_size =
+        a.NameTStr() == "radius" || a.NameTStr() == "length" || a.NameTStr() == "size";
+    if (!is_mass && !is_size) return;
+    std::istringstream words(a.ValueStr());
+    for (std::string word; words >> word;) {
+      const auto number = parseNumber(word);
+      if (!number || *number > 0 || (is_mass && *number == 0)) continue;
+      fail(element.Row(), "`" + a.NameTStr() + "` of <" + element.ValueStr() + ">: expected " +
+                              (is_mass ? "no mass below 0" : "sizes above 0") + ", found '" +
+                              a.ValueStr() + "'");
     }
   }
 
