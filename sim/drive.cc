@@ -89,6 +89,18 @@ void Drive::addTo(TreeMatrix& matrix, Eigen::VectorXd& rhs) const {
   }
 }
 
+void Drive::addSmooth(const JointCommand& command, const double* q, const double* u,
+                      Eigen::VectorXd& torque) {
+  prepare(command, q, u, 0, nullptr);
+  for (std::size_t i = 0; i < motors_.size(); ++i) {
+    const Place& place = places_[i];
+    const double push = motors_[i].smoothTorque();
+    torque_[place.joint] = load_[place.joint] = push;
+    torque[place.speed] += place.share * push;
+    if (place.second >= 0) torque[place.second] += place.share * push;
+  }
+}
+
 bool Drive::revise(const Eigen::VectorXd& du) {
   bool changed = false;
   for (std::size_t i = 0; i < motors_.size(); ++i) {

@@ -36,6 +36,10 @@ class Drive {
   void prepare(const JointCommand& command, const double* q, const double* u, double h,
                const DriveTerms* terms);
 
+  /// Adds the torques at this very state, without a step, friction or play.
+  void addSmooth(const JointCommand& command, const double* q, const double* u,
+                 Eigen::VectorXd& torque);
+
   /// Adds the torques and their change along the step.
   void addTo(TreeMatrix& matrix, Eigen::VectorXd& rhs) const;
 

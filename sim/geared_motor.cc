@@ -136,6 +136,10 @@ void GearedMotor::combine() {
   change_ = gear_change_ * (1 - from_link_);
 }
 
+double GearedMotor::smoothTorque() const {
+  return std::clamp(servo_, -limit_down_, limit_up_) - viscous_ * rate_;
+}
+
 bool GearedMotor::revise(double du) {
   const double dw = rotorChange(du);
   const bool servo = reviseServo(dw);

@@ -42,6 +42,8 @@ class GearedMotor {
   /// of change of the link's rate [N m s/rad].
   double now() const { return now_; }
   double change() const { return change_; }
+  /// The torque at this very state, after prepare() with h = 0: without friction or play.
+  double smoothTorque() const;
   /// After a solve for the link's change of rate: what is beyond its limit stays at it, friction
   /// starts or stops to slide, gears touch or let go. True if any did: solve again.
   bool revise(double du);

@@ -5,6 +5,7 @@
 #include "core/archive.h"
 #include "core/robot_model.h"
 #include "core/world_model.h"
+#include "sim/external_force.h"
 #include "sim/tree_dynamics.h"
 
 namespace nao::sim {
@@ -52,6 +53,11 @@ class GroundContact {
 
   const std::vector<Force>& forces() const { return forces_; }
 
+  /// Adds the forces at this very state, without a step; points hold where they held before.
+  void addSmooth(const std::vector<BodyMotion>& motion, std::vector<ExternalForce>& forces) const;
+  /// Ends a step taken with addSmooth(): points that touch now, hold here; those that slide, move.
+  void settle(const std::vector<BodyMotion>& motion);
+
   /// The height [m] of the lowest of all points.
   double lowestPoint(const std::vector<BodyMotion>& motion) const;
 
@@ -74,6 +80,11 @@ class GroundContact {
     Vec3 force;                 // [N] over the step
     TreeDynamics::PointJacobian jacobian;
   };
+  struct Smooth {
+    Vec3 p_W, f_W;
+    bool touching, sliding;
+  };
+  Smooth calcSmooth(std::size_t point, const std::vector<BodyMotion>& motion) const;
   void addFoot(const FootModel& foot, int index);
   void open(std::size_t point, const Vec3& p_W, const Vec3& v_W);
   void turnTo(Touch& touch, const Eigen::Vector2d& direction) const;

@@ -57,6 +57,13 @@ void JointStops::addTo(TreeMatrix& matrix, Eigen::VectorXd& rhs) const {
   }
 }
 
+void JointStops::addSmooth(const double* q, const double* u, Eigen::VectorXd& torque) {
+  prepare(q, u, 0);
+  for (const Touch& touch : touches_) {
+    if (touch.side * touch.now > 0) torque[touch.speed] += touch.now;
+  }
+}
+
 bool JointStops::revise(const Eigen::VectorXd& du) {
   bool changed = false;
   for (Touch& touch : touches_) {

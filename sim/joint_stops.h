@@ -20,6 +20,9 @@ class JointStops {
   /// Adds the torques of the stops that are reached within the step.
   void addTo(TreeMatrix& matrix, Eigen::VectorXd& rhs) const;
 
+  /// Adds the torques at this very state, without a step.
+  void addSmooth(const double* q, const double* u, Eigen::VectorXd& torque);
+
   /// After a solve: lets go of stops that would pull. True if any did.
   bool revise(const Eigen::VectorXd& du);
 

@@ -8,9 +8,9 @@
 
 namespace nao::sim {
 
-/// The robot's tree in Simbody: the only code that knows Simbody, and the truth that every faster
-/// path is held against. Built once; calc... never change the tree, only its scratch memory.
-/// Hinges that share a motor move freely here: tying them together is the stepper's work.
+/// The robot's tree in Simbody: the truth that every faster path is held against, by tests. Built
+/// once; calc... never change the tree, only its scratch memory. Hinges that share a motor move
+/// freely here: tying them together is the stepper's work.
 class Multibody {
  public:
   /// `gravity` [m/s^2] pulls along -z of W.

@@ -18,12 +18,13 @@ Eigen::Vector4d rotated(const Eigen::Vector4d& wxyz, const Vec3& w_W, double h) 
 
 }  // namespace
 
-RobotBody::RobotBody(BodyPlan plan)
+RobotBody::RobotBody(BodyPlan plan, Mode mode)
     : plan_(std::make_unique<const BodyPlan>(std::move(plan))),
       dynamics_(plan_->model),
       drive_(*plan_, dynamics_.rootSpeedCount()),
       stops_(plan_->model, dynamics_.rootSpeedCount()),
       contact_(plan_->model, plan_->ground),
+      smooth_(dynamics_.rootSpeedCount(), drive_, stops_, contact_),
       tree_(dynamics_.zeroState()),
       hands_(plan_->model.jointCount()),
       inertia_(dynamics_.parents()),
@@ -31,6 +32,8 @@ RobotBody::RobotBody(BodyPlan plan)
       mobility_(dynamics_.parents()),
       external_(Eigen::VectorXd::Zero(dynamics_.speedCount())) {
   dynamics_.setDamping(plan_->linear_damping, plan_->angular_damping);
+  if (mode == Mode::Rk4) integrator_ = makeRk4(*plan_, dynamics_, drive_.rotorInertia());
+  if (mode == Mode::Reference) integrator_ = makeReference(*plan_, drive_.rotorInertia());
   place({}, JointArray<double>(model().jointCount()));
 }
 
@@ -77,6 +80,7 @@ double RobotBody::rate(Joint joint) const { return drive_.rate()[joint]; }
 
 void RobotBody::step(const JointCommand& command, const DriveTerms* terms,
                      const std::vector<ExternalForce>& external, double h) {
+  if (integrator_) return stepSmoothly(command, external, h);
   dynamics_.calcBias(plan_->gravity, bias_);
   needInertia();
   drive_.prepare(command, coordinates(), rates(), h, terms);
@@ -88,6 +92,25 @@ void RobotBody::step(const JointCommand& command, const DriveTerms* terms,
   integrate(h);
   moveHands(command, h);
   moved();
+}
+
+void RobotBody::stepSmoothly(const JointCommand& command,
+                             const std::vector<ExternalForce>& external, double h) {
+  smooth_.hold(command, external);
+  integrator_->step(smooth_, h, tree_);
+  solves_ = 0;
+  moveHands(command, h);
+  moved();
+  contact_.settle(motion());
+}
+
+Eigen::VectorXd RobotBody::calcAcceleration(const JointCommand& command,
+                                            const std::vector<ExternalForce>& external) {
+  NAO_CHECK(integrator_);
+  smooth_.hold(command, external);
+  Eigen::VectorXd acceleration = integrator_->calcAcceleration(smooth_, tree_);
+  dynamics_.setState(tree_);
+  return acceleration;
 }
 
 void RobotBody::needInertia() {

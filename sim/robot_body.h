@@ -7,27 +7,24 @@
 #include "core/robot_io.h"
 #include "sim/body_plan.h"
 #include "sim/drive.h"
+#include "sim/external_force.h"
 #include "sim/ground_contact.h"
+#include "sim/integrator.h"
 #include "sim/joint_stops.h"
+#include "sim/mode.h"
 #include "sim/tree_dynamics.h"
 
 namespace nao::sim {
-
-/// A force of something outside on a robot's body during one step.
-struct ExternalForce {
-  int body = 0;
-  Vec3 p_W = Vec3::Zero();  // [m] where it acts
-  Vec3 f_W = Vec3::Zero();  // [N]
-};
 
 /// One robot's physics. A step is linearly implicit Euler in all that is stiff (motors, rotor
 /// inertia, friction, joint stops, ground), the rest explicit:
 ///   (M + J_rotor + h D + h^2 K) du = h (f(q + h u, u) - bias(q, u)),   q += h (u + du)
 /// Limits (torque, pull, friction) are found by solving again with what exceeds them held at its
 /// limit. Hinges that share a motor are tied exactly by one more solve with the same factors.
+/// In the modes Rk4 and Reference the forces are smooth functions of the state; see SmoothForces.
 class RobotBody {
  public:
-  explicit RobotBody(BodyPlan plan);
+  explicit RobotBody(BodyPlan plan, Mode mode = Mode::Implicit);
 
   const RobotModel& model() const { return plan_->model; }
   const BodyPlan& plan() const { return *plan_; }
@@ -60,12 +57,18 @@ class RobotBody {
   double calcMobility(int body, const Vec3& p_W, const Vec3& n_W);
   double calcMobility(int body_a, int body_b, const Vec3& p_W, const Vec3& n_W);
 
+  /// u' under these forces, as the modes Rk4 and Reference see it.
+  Eigen::VectorXd calcAcceleration(const JointCommand& command,
+                                   const std::vector<ExternalForce>& external);
+
   /// False once a number is no longer finite: the world must stop.
   bool finite() const { return tree_.q.allFinite() && tree_.u.allFinite(); }
 
   void archive(Archive& archive);
 
  private:
+  void stepSmoothly(const JointCommand& command, const std::vector<ExternalForce>& external,
+                    double h);
   void solve(const std::vector<ExternalForce>& external, double h);
   void addExternal(const std::vector<ExternalForce>& external, double h);
   void tieSharedHinges(double h);
@@ -86,6 +89,8 @@ class RobotBody {
   Drive drive_;
   JointStops stops_;
   GroundContact contact_;
+  SmoothForces smooth_;
+  std::unique_ptr<Integrator> integrator_;  // null in the implicit mode
   TreeState tree_;
   JointArray<double> hands_;  // 0..1, for motors without a hinge
   TreeMatrix inertia_, system_, mobility_;

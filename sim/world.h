@@ -11,6 +11,7 @@
 #include "core/scene_frame.h"
 #include "core/sim_time.h"
 #include "core/world_model.h"
+#include "sim/mode.h"
 
 namespace nao::sim {
 
@@ -23,13 +24,7 @@ struct RobotSetup {
   Pose2 start;
 };
 
-/// How a world computes. The step divides every robot's cycle.
-enum class Mode {
-  Implicit,   // linearly implicit Euler: fast, steady at 1 to 5 ms
-  Rk4,        // Runge and Kutta's fourth order: for undamped truths, up to about 1.5 ms
-  Reference,  // Simbody's error-controlled Runge-Kutta-Merson: what the others are held against
-};
-
+/// The step divides every robot's cycle.
 struct WorldOptions {
   /// A step alone is the common case.
   template <class Rep, class Period>

@@ -1,5 +1,6 @@
 #include "sim/world_robot.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/fsr.h"
@@ -23,9 +24,18 @@ EffectChain makeEffects(const RobotSetup& setup, const WorldOptions& options) {
                      options.step, options.seed, setup.name);
 }
 
-BodyPlan makePlan(const RobotSetup& setup, const WorldModel& world, EffectChain& effects) {
+BodyPlan makePlan(const RobotSetup& setup, const WorldModel& world, const WorldOptions& options,
+                  EffectChain& effects) {
   BodyPlan plan(*setup.model, world);
   effects.alterPlan(plan);
+  if (options.mode == Mode::Implicit) return plan;
+  const bool soft =
+      std::any_of(plan.transmissions.begin(), plan.transmissions.end(),
+                  [](const Transmission& t) { return t.play > 0 || t.stiffness > 0; });
+  if (soft || effects.actsOnDrive()) {
+    throw InputError("--mode: expected `implicit` for " + setup.name + ", a " + setup.model->name +
+                     " with friction or play; the others are for ideal drives");
+  }
   return plan;
 }
 
@@ -48,7 +58,7 @@ WorldRobot::WorldRobot(const RobotSetup& setup, const WorldModel& world,
                        const WorldOptions& options)
     : setup_(setup),
       effects_(makeEffects(setup, options)),
-      body_(makePlan(setup, world, effects_)),
+      body_(makePlan(setup, world, options, effects_), options.mode),
       imu_(*setup.model, world.gravity) {
   reset();
 }
