@@ -26,7 +26,7 @@ class Writer {
     out_.precision(12);
     out_ << "<mujoco><compiler angle='radian' autolimits='true'/><option timestep='" << step
          << "' integrator='Euler' solver='Newton' gravity='0 0 -9.80665'/><worldbody>"
-         << "<geom type='plane' size='20 20 1' friction='0.7 0.005 0.0001'/>";
+         << "<geom type='plane' size='20 20 1' conaffinity='0' friction='0.7 0.005 0.0001'/>";
     writeBody(0);
     out_ << "</worldbody><equality>";
     for (const Actuator& a : model.actuators) {
@@ -36,7 +36,11 @@ class Writer {
     }
     out_ << "</equality><actuator>";
     for (const Actuator& a : model.actuators) writeMotor(a);
-    out_ << "</actuator></mujoco>";
+    out_ << "</actuator><contact>";
+    for (const auto& [a, b] : model.no_collision) {
+      out_ << "<exclude body1='" << bodyName(a) << "' body2='" << bodyName(b) << "'/>";
+    }
+    out_ << "</contact></mujoco>";
   }
   std::string xml() const { return out_.str(); }
 
@@ -45,17 +49,21 @@ class Writer {
     return model_.coordinates[static_cast<std::size_t>(coordinate)].name;
   }
 
+  std::string bodyName(int body) const {
+    return model_.bodies[static_cast<std::size_t>(body)].name;
+  }
+
   void writeBody(int index) {
     const Body& body = model_.bodies[static_cast<std::size_t>(index)];
-    out_ << "<body name='" << body.name << "' pos='" << text(Vec3(body.X_PB.translation()))
-         << "'>";
+    out_ << "<body name='" << body.name << "' pos='" << text(Vec3(body.X_PB.translation())) << "'>";
     if (index == 0) out_ << "<freejoint/>";
     if (index > 0) writeHinge(index - 1, body);
     const Mat3& I = body.I_Bcm;
-    out_ << "<inertial mass='" << body.mass << "' pos='" << text(body.p_BoBcm)
-         << "' fullinertia='" << I(0, 0) << ' ' << I(1, 1) << ' ' << I(2, 2) << ' ' << I(0, 1)
-         << ' ' << I(0, 2) << ' ' << I(1, 2) << "'/>";
+    out_ << "<inertial mass='" << body.mass << "' pos='" << text(body.p_BoBcm) << "' fullinertia='"
+         << I(0, 0) << ' ' << I(1, 1) << ' ' << I(2, 2) << ' ' << I(0, 1) << ' ' << I(0, 2) << ' '
+         << I(1, 2) << "'/>";
     writeContacts(index);
+    for (const Shape& solid : body.collisions) writeSolid(solid);
     for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
       if (model_.bodies[i].parent == index) writeBody(static_cast<int>(i));
     }
@@ -71,10 +79,33 @@ class Writer {
          << share * motor.kd << "'/>";
   }
 
-  // conaffinity 0: the points meet the plane alone, as ours do.
+  // The plane is of contype 1. Points meet it alone, as ours do (conaffinity 1, contype 0); solids
+  // meet each other (2, 2).
   void writePoint(const Vec3& p, double radius) {
     out_ << "<geom type='sphere' size='" << radius << "' pos='" << text(p)
-         << "' conaffinity='0' mass='0' friction='0.7 0.005 0.0001'/>";
+         << "' contype='0' conaffinity='1' mass='0' friction='0.7 0.005 0.0001'/>";
+  }
+
+  void writeSolid(const Shape& solid) {
+    const Eigen::Quaterniond q(solid.X_BS.linear());
+    out_ << "<geom contype='2' conaffinity='2' mass='0' friction='0.7 0.005 0.0001' pos='"
+         << text(Vec3(solid.X_BS.translation())) << "' quat='" << q.w() << ' ' << q.x() << ' '
+         << q.y() << ' ' << q.z() << "' type='";
+    const Vec3 half = solid.size / 2;
+    switch (solid.kind) {
+      case Shape::Kind::Sphere:
+        out_ << "sphere' size='" << solid.size.x() << "'/>";
+        return;
+      case Shape::Kind::Box:
+        out_ << "box' size='" << text(half) << "'/>";
+        return;
+      case Shape::Kind::Cylinder:
+        out_ << "cylinder' size='" << solid.size.x() << ' ' << half.z() << "'/>";
+        return;
+      case Shape::Kind::Capsule:
+        out_ << "capsule' size='" << solid.size.x() << ' ' << half.z() << "'/>";
+        return;
+    }
   }
 
   void writeContacts(int body) {
@@ -129,26 +160,41 @@ class MujocoNao::Impl {
 
   void stand(const JointArray<double>& angles) {
     mj_resetData(m_, d_);
-    int motor = 0;
     double lean = 0;
     for (std::size_t j = 0; j < model_.jointCount(); ++j) {
-      const Actuator& a = model_.actuators[j];
-      if (a.coordinates.empty()) continue;
-      for (const int c : a.coordinates) {
+      for (const int c : model_.actuators[j].coordinates) {
         const std::string& name = model_.coordinates[static_cast<std::size_t>(c)].name;
         d_->qpos[m_->jnt_qposadr[mj_name2id(m_, mjOBJ_JOINT, name.c_str())]] = angles[j];
         if (name == "LHipPitch" || name == "LKneePitch" || name == "LAnklePitch") lean -= angles[j];
       }
-      d_->ctrl[motor++] = angles[j];
     }
+    command(angles);
     d_->qpos[3] = std::cos(lean / 2);  // about y: soles level
     d_->qpos[5] = std::sin(lean / 2);
     d_->qpos[2] = 0.325;
     for (int k = 0; k < 1000; ++k) mj_step(m_, d_);
   }
 
+  void command(const JointArray<double>& angles) {
+    int motor = 0;
+    for (std::size_t j = 0; j < model_.jointCount(); ++j) {
+      if (!model_.actuators[j].coordinates.empty()) d_->ctrl[motor++] = angles[j];
+    }
+  }
+
+  State state() const {
+    return {{d_->qpos, d_->qpos + m_->nq},
+            {d_->qvel, d_->qvel + m_->nv},
+            {d_->qacc_warmstart, d_->qacc_warmstart + m_->nv}};
+  }
+  void setState(const State& state) {
+    std::copy(state.q.begin(), state.q.end(), d_->qpos);
+    std::copy(state.u.begin(), state.u.end(), d_->qvel);
+    std::copy(state.warm_start.begin(), state.warm_start.end(), d_->qacc_warmstart);
+  }
+
   void step() { mj_step(m_, d_); }
-  bool stands() const { return d_->qpos[2] > 0.25; }
+  Vec3 position() const { return {d_->qpos[0], d_->qpos[1], d_->qpos[2]}; }
 
  private:
   const RobotModel& model_;
@@ -161,6 +207,10 @@ MujocoNao::MujocoNao(const RobotModel& model, double step_s)
 MujocoNao::~MujocoNao() = default;
 void MujocoNao::stand(const JointArray<double>& angles) { impl_->stand(angles); }
 void MujocoNao::step() { impl_->step(); }
-bool MujocoNao::stands() const { return impl_->stands(); }
+bool MujocoNao::stands() const { return impl_->position().z() > 0.25; }
+Vec3 MujocoNao::position() const { return impl_->position(); }
+void MujocoNao::command(const JointArray<double>& angles) { impl_->command(angles); }
+MujocoNao::State MujocoNao::state() const { return impl_->state(); }
+void MujocoNao::setState(const State& state) { impl_->setState(state); }
 
 }  // namespace nao::bench

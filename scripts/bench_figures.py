@@ -1,7 +1,10 @@
 """Turns Google Benchmark's results into the project's figures: medians, and ratios of medians."""
 import json
+import math
 import pathlib
 import sys
+
+ROBOTS = (1, 2, 4, 8, 22)
 
 
 def medians(folder):
@@ -18,17 +21,46 @@ def medians(folder):
 
 def figures(runs):
     """The names of these figures are fixed; all times are processor time."""
-    step = runs["standing"]["step_us"]
-    mujoco = runs["mujocoStanding"]["step_us"]
+    return {**step_figures(runs), **robot_figures(runs), **render_figures(runs)}
+
+
+def step_figures(runs):
+    """One Nao with sensors, self-collision and documented effects, beside MuJoCo and its ideal."""
+    step = {name: runs[name]["step_us"]
+            for name in ("standing/effects", "standing/ideal", "mujocoStanding",
+                         "walking/effects", "walking/ideal", "mujocoWalking")}
+    standing = step["mujocoStanding"] / step["standing/effects"]
+    walking = step["mujocoWalking"] / step["walking/effects"]
+    costs = [step[f"{motion}/effects"] / step[f"{motion}/ideal"]
+             for motion in ("standing", "walking")]
     return {
-        "step_cpu_us": step,
-        "step_walking_cpu_us": runs["walking"]["step_us"],
-        "realtime_factor": runs["standing"]["realtime_factor"],
-        "realtime_factor_walking": runs["walking"]["realtime_factor"],
-        "mujoco_step_cpu_us": mujoco,
-        "ratio_to_mujoco": mujoco / step,
-        **render_figures(runs),
+        "step_cpu_us": step["standing/effects"],
+        "step_walking_cpu_us": step["walking/effects"],
+        "step_with_motion_cpu_us": runs["walkingWithMotion/robots:1"]["step_us"],
+        "realtime_factor": runs["standing/effects"]["realtime_factor"],
+        "realtime_factor_walking": runs["walking/effects"]["realtime_factor"],
+        "mujoco_step_cpu_us": step["mujocoStanding"],
+        "mujoco_step_walking_cpu_us": step["mujocoWalking"],
+        "ratio_to_mujoco_standing": standing,
+        "ratio_to_mujoco_walking": walking,
+        "ratio_to_mujoco": math.sqrt(standing * walking),
+        "walk_distance_m": runs["walking/effects"]["distance_m"],
+        "mujoco_walk_distance_m": runs["mujocoWalking"]["distance_m"],
+        "effects_cost_percent": 100 * (math.sqrt(costs[0] * costs[1]) - 1),
     }
+
+
+def robot_figures(runs):
+    """Many Naos on one core: replaying a recorded walk, and walking with motion engines."""
+    found = {}
+    for robots in ROBOTS:
+        run = runs[f"walkingRobots/robots:{robots}"]
+        found[f"step_us_per_robot_of_{robots}"] = run["step_us"]
+    found["realtime_factor_22_robots"] = run["realtime_factor"]
+    with_motion = runs["walkingWithMotion/robots:22"]
+    found["realtime_factor_22_robots_with_motion"] = with_motion["realtime_factor"]
+    found["memory_mb_per_robot"] = with_motion["memory_mb"]
+    return found
 
 
 def render_figures(runs):
@@ -48,7 +80,7 @@ def main():
                           "figures": found}))
         return
     for name, value in found.items():
-        print(f"{name:28} {value:12.3f}")
+        print(f"{name:38} {value:12.3f}")
 
 
 if __name__ == "__main__":
