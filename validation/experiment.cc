@@ -9,8 +9,8 @@ bool Experiment::heeds(Choice choice) const {
 }
 
 const std::vector<Experiment>& experiments() {
-  static const std::vector<Experiment> all{timestepExperiment(), standExperiment(),
-                                           thrashExperiment()};
+  static const std::vector<Experiment> all{gravityExperiment(), timestepExperiment(),
+                                           standExperiment(), thrashExperiment()};
   return all;
 }
 

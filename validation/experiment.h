@@ -50,6 +50,7 @@ struct Experiment {
 const std::vector<Experiment>& experiments();
 
 // One file each.
+Experiment gravityExperiment();
 Experiment timestepExperiment();
 Experiment standExperiment();
 Experiment thrashExperiment();

@@ -94,7 +94,7 @@ class Script {
                                     : "set key " + panel.key + " opaque Left reverse")
          << " samplen 2 spacing 1.2\n";
     if (panel.log_x) out_ << "set logscale x\n";
-    if (panel.log_y) out_ << "set logscale y\nset format y '10^{%L}'\nset ytics enhanced\n";
+    if (panel.log_y) out_ << "set logscale y\nset format y '%g'\n";
     if (panel.y_range[0] != panel.y_range[1]) {
       out_ << "set yrange [" << panel.y_range[0] << ":" << panel.y_range[1] << "]\n";
     }

@@ -49,6 +49,43 @@ TEST(BlockStack, RestsWhereTorqueAndStiffnessBalance) {
   EXPECT_GT(angle, command);
 }
 
+TEST(GravityExperiment, CorrectionIsOneInTheThesisTable) {
+  const Experiment& experiment = find("gravity");
+  const Report report = experiment.run(settingsOf(experiment)).report;
+  EXPECT_LE(number(report, "correction_max_error"), 1e-6);         // the bar
+  EXPECT_LE(number(report, "damped_correction_max_error"), 1e-6);  // the bar
+  // First order: the error follows the step, but for its own square (0.5 %).
+  const double at_1ms = number(report, "implicit_error_1ms");
+  EXPECT_NEAR(number(report, "implicit_error_2ms") / at_1ms, 2, 0.01);
+  EXPECT_NEAR(number(report, "implicit_error_5ms") / at_1ms, 5, 0.03);
+
+  ASSERT_EQ(rows(report).size(), 2 * 4 + 3u);  // two modes, then three implicit steps
+  for (const Row& row : rows(report)) {
+    for (const auto& [name, cell] : row) {
+      const auto* numbers = std::get_if<std::vector<double>>(&cell);
+      if (name.find("correction") == std::string::npos) continue;
+      ASSERT_NE(numbers, nullptr);
+      EXPECT_EQ(numbers->size(), 6u);
+    }
+  }
+  // 9.81 / 4.16, what the default gravity of Unreal is short of.
+  const auto& second = std::get<std::vector<double>>(rows(report)[1][5].second);
+  for (const double correction : second) EXPECT_NEAR(correction, 9.81 / 4.16, 1e-6);
+}
+
+TEST(StandExperiment, StandsWhereItStands) {
+  const Experiment& experiment = find("stand");
+  ExperimentSettings settings = settingsOf(experiment);
+  settings.duration = 10s;
+  const Report report = experiment.run(settings).report;
+  EXPECT_LE(number(report, "drift_m"), 1e-4);  // the bars, over 60 s there
+  EXPECT_LE(number(report, "tilt_change_deg"), 0.05);
+  EXPECT_LE(number(report, "penetration_max_m"), 1e-3);
+  EXPECT_GT(number(report, "penetration_max_m"), 1e-5);  // it does stand on something
+  EXPECT_EQ(number(report, "duration_s"), 10);
+  ASSERT_EQ(rows(report).size(), 2u);  // ideal, and with its documented effects
+}
+
 TEST(TimestepExperiment, SagIsTheAnalyticOneAtEveryStep) {
   const Experiment& experiment = find("timestep");
   const Report report = experiment.run(settingsOf(experiment)).report;
