@@ -10,7 +10,8 @@ bool Experiment::heeds(Choice choice) const {
 
 const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> all{gravityExperiment(), timestepExperiment(),
-                                           standExperiment(), thrashExperiment()};
+                                           standExperiment(), thrashExperiment(),
+                                           headYawExperiment()};
   return all;
 }
 

@@ -54,6 +54,7 @@ Experiment gravityExperiment();
 Experiment timestepExperiment();
 Experiment standExperiment();
 Experiment thrashExperiment();
+Experiment headYawExperiment();
 
 /// What all experiments with a robot start from. @throws InputError.
 std::shared_ptr<const RobotModel> loadRobot(const ExperimentSettings& settings);
