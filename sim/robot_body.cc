@@ -83,15 +83,20 @@ void RobotBody::step(const JointCommand& command, const DriveTerms* terms,
   if (integrator_) return stepSmoothly(command, external, h);
   dynamics_.calcBias(plan_->gravity, bias_);
   needInertia();
+  ended(Phase::Dynamics);
   drive_.prepare(command, coordinates(), rates(), h, terms);
   stops_.prepare(coordinates(), rates(), h);
+  ended(Phase::Drives);
   contact_.prepare(motion(), dynamics_, h);
+  ended(Phase::Ground);
   solve(external, h);
+  ended(Phase::Solve);
   contact_.finish(du_);
   drive_.finish(du_);
   integrate(h);
   moveHands(command, h);
   moved();
+  ended(Phase::Kinematics);
 }
 
 void RobotBody::stepSmoothly(const JointCommand& command,

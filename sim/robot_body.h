@@ -12,6 +12,7 @@
 #include "sim/integrator.h"
 #include "sim/joint_stops.h"
 #include "sim/mode.h"
+#include "sim/phase.h"
 #include "sim/tree_dynamics.h"
 
 namespace nao::sim {
@@ -25,6 +26,9 @@ namespace nao::sim {
 class RobotBody {
  public:
   explicit RobotBody(BodyPlan plan, Mode mode = Mode::Implicit);
+
+  /// From now on `watch`, which must outlive the body, is told of the phases of each step.
+  void setWatch(const PhaseWatch* watch) { watch_ = watch; }
 
   const RobotModel& model() const { return plan_->model; }
   const BodyPlan& plan() const { return *plan_; }
@@ -82,6 +86,10 @@ class RobotBody {
   const double* coordinates() const { return tree_.q.data() + dynamics_.rootPositionCount(); }
   const double* rates() const { return tree_.u.data() + dynamics_.rootSpeedCount(); }
 
+  void ended(Phase phase) const {
+    if (watch_) (*watch_)(phase);
+  }
+
   static constexpr int kMaxSolves = 6;
 
   std::unique_ptr<const BodyPlan> plan_;  // others keep references to its model
@@ -98,6 +106,7 @@ class RobotBody {
   bool mobility_known_ = false;
   Eigen::VectorXd bias_, external_, du_, tie_, push_;
   int solves_ = 0;
+  const PhaseWatch* watch_ = nullptr;
 };
 
 }  // namespace nao::sim

@@ -42,11 +42,13 @@ class World::Impl {
       : model_(std::move(model)),
         setups_(std::move(setups)),
         step_(options.step),
+        watch_(options.watch),
         touching_(*model_),
         balls_(startBalls(*model_)) {
     checkStep(setups_, step_, options.any_step);
     for (const RobotSetup& setup : setups_) {
       robots_.push_back(std::make_unique<WorldRobot>(setup, *model_, options));
+      if (watch_) robots_.back()->setWatch(&watch_);
       bodies_.push_back(&robots_.back()->body());
     }
   }
@@ -54,6 +56,7 @@ class World::Impl {
   void step() {
     if (!healthy_) return;
     touching_.calc(bodies_, balls_, on_robots_, on_balls_);
+    if (watch_) watch_(Phase::Touching);
     for (std::size_t i = 0; i < robots_.size(); ++i) {
       robots_[i]->step(now_, step_, on_robots_[i]);
       healthy_ = healthy_ && robots_[i]->body().finite();
@@ -97,6 +100,7 @@ class World::Impl {
   std::shared_ptr<const WorldModel> model_;
   std::vector<RobotSetup> setups_;
   Duration step_;
+  PhaseWatch watch_;  // robots share it
   Touching touching_;
   std::vector<std::unique_ptr<WorldRobot>> robots_;
   std::vector<const RobotBody*> bodies_;

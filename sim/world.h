@@ -12,6 +12,7 @@
 #include "core/sim_time.h"
 #include "core/world_model.h"
 #include "sim/mode.h"
+#include "sim/phase.h"
 
 namespace nao::sim {
 
@@ -36,6 +37,7 @@ struct WorldOptions {
   std::uint64_t seed = 0;
   const EffectCatalogue* effects = nullptr;  // null: standardEffects()
   bool any_step = false;  // also steps outside 1 to 5 ms: for experiments on the step itself
+  PhaseWatch watch;       // of a profiler; empty: nobody watches
 };
 
 /// The physical world: robots, balls, ground and obstacles. The whole public face of sim/.

@@ -63,6 +63,11 @@ WorldRobot::WorldRobot(const RobotSetup& setup, const WorldModel& world,
   reset();
 }
 
+void WorldRobot::setWatch(const PhaseWatch* watch) {
+  watch_ = watch;
+  body_.setWatch(watch);
+}
+
 void WorldRobot::place(const Pose2& pose, const JointArray<double>* angles) {
   sent_.angle = angles ? *angles : startAngles(*setup_.model);
   sent_.stiffness = JointArray<double>(sent_.angle.size(), 0.0);
@@ -91,7 +96,9 @@ void WorldRobot::step(SimTime now, Duration step, std::vector<ExternalForce>& ex
     followed_.stiffness = JointArray<double>(followed_.stiffness.size(), 0.0);
   }
   effects_.alterCommand(followed_, now, h);
-  body_.step(followed_, calcTerms(now, h), external, h);
+  const DriveTerms* terms = calcTerms(now, h);
+  ended(Phase::Effects);
+  body_.step(followed_, terms, external, h);
 }
 
 const DriveTerms* WorldRobot::calcTerms(SimTime now, double h) {
@@ -114,9 +121,13 @@ SensorFrame WorldRobot::readSensors(SimTime now) {
     frame.angle[j] = body_.angle(toJoint(j));
     frame.current[j] = currentOf(model.actuators[j], body_.drive().torque()[j]);
   }
+  ended(Phase::Encoders);
   imu_.sample(body_.motion(), model.cycle, frame);
+  ended(Phase::Imu);
   frame.feet = calcFootForces(model, body_.motion(), body_.groundForces());
+  ended(Phase::FootForces);
   effects_.alterSensors(frame, model.cycle);
+  ended(Phase::SensorEffects);
   return frame;
 }
 

@@ -21,6 +21,9 @@ class WorldRobot {
   const RobotBody& body() const { return body_; }
   std::map<std::string, double> draw() const { return effects_.draw(); }
 
+  /// From now on `watch`, which must outlive the robot, is told of the phases of its steps.
+  void setWatch(const PhaseWatch* watch);
+
   /// At rest and limp, in the start posture or in `angles`.
   void place(const Pose2& pose, const JointArray<double>* angles);
   /// Where it started, the seed's offset included.
@@ -42,6 +45,9 @@ class WorldRobot {
     SimTime until{};
   };
   const DriveTerms* calcTerms(SimTime now, double h);
+  void ended(Phase phase) const {
+    if (watch_) (*watch_)(phase);
+  }
 
   const RobotSetup& setup_;
   EffectChain effects_;
@@ -52,6 +58,7 @@ class WorldRobot {
   JointCommand followed_;  // by the motors, after the effects
   DriveTerms terms_;
   Push push_;
+  const PhaseWatch* watch_ = nullptr;
 };
 
 }  // namespace nao::sim
