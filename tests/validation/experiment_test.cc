@@ -96,6 +96,16 @@ TEST(TimestepExperiment, SagIsTheAnalyticOneAtEveryStep) {
   EXPECT_DOUBLE_EQ(std::get<double>(rows(report).back()[0].second), 1.0 / 1000);
 }
 
+TEST(HeadYawExperiment, NeitherFramesNorClientsChangeTheMotion) {
+  const Experiment& experiment = find("headyaw");
+  const Report report = experiment.run(settingsOf(experiment)).report;
+  EXPECT_EQ(number(report, "max_deviation_deg"), 0);  // to the last bit
+  ASSERT_EQ(rows(report).size(), 12u);                // six frame rates, two intervals
+  for (const Row& row : rows(report)) EXPECT_EQ(std::get<double>(row[3].second), 1);
+  EXPECT_GT(number(report, "command_to_sensor_shift_ms"), 0);
+  EXPECT_LT(number(report, "command_to_sensor_shift_ms"), 50);
+}
+
 TEST(ThrashExperiment, DoesNotBlowUp) {
   const Experiment& experiment = find("thrash");
   ExperimentSettings settings = settingsOf(experiment);
