@@ -10,8 +10,8 @@ bool Experiment::heeds(Choice choice) const {
 
 const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> all{gravityExperiment(), timestepExperiment(),
-                                           standExperiment(), thrashExperiment(),
-                                           headYawExperiment()};
+                                           standExperiment(),   thrashExperiment(),
+                                           headYawExperiment(), robotsExperiment()};
   return all;
 }
 

@@ -55,6 +55,7 @@ Experiment timestepExperiment();
 Experiment standExperiment();
 Experiment thrashExperiment();
 Experiment headYawExperiment();
+Experiment robotsExperiment();
 
 /// What all experiments with a robot start from. @throws InputError.
 std::shared_ptr<const RobotModel> loadRobot(const ExperimentSettings& settings);

@@ -95,6 +95,7 @@ class Script {
          << " samplen 2 spacing 1.2\n";
     if (panel.log_x) out_ << "set logscale x\n";
     if (panel.log_y) out_ << "set logscale y\nset format y '%g'\n";
+    if (!panel.categories.empty()) out_ << "set yrange [0:*]\nset rmargin 4\n";
     if (panel.y_range[0] != panel.y_range[1]) {
       out_ << "set yrange [" << panel.y_range[0] << ":" << panel.y_range[1] << "]\n";
     }

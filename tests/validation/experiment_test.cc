@@ -106,6 +106,23 @@ TEST(HeadYawExperiment, NeitherFramesNorClientsChangeTheMotion) {
   EXPECT_LT(number(report, "command_to_sensor_shift_ms"), 50);
 }
 
+TEST(RobotsExperiment, ShowsSpeedMemoryAndParts) {
+  const Experiment& experiment = find("robots");
+  ExperimentSettings settings = settingsOf(experiment);
+  settings.duration = std::chrono::milliseconds(90);  // a cycle for each of nine parts
+  const Outcome outcome = experiment.run(settings);
+  const std::vector<Row>& loads = rows(outcome.report);
+  ASSERT_EQ(loads.size(), 5u);
+  const double robots[] = {1, 2, 4, 8, 22};
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    EXPECT_EQ(std::get<double>(loads[i][0].second), robots[i]);
+    EXPECT_GT(std::get<double>(loads[i][1].second), 0);
+    EXPECT_LE(std::get<double>(loads[i][3].second), 20);  // [MB] per robot, the bar
+  }
+  EXPECT_EQ(outcome.report.remarks.size(), 1u);  // nobody fell
+  EXPECT_EQ(outcome.picture.panels.size(), 3u);
+}
+
 TEST(ThrashExperiment, DoesNotBlowUp) {
   const Experiment& experiment = find("thrash");
   ExperimentSettings settings = settingsOf(experiment);
