@@ -14,12 +14,11 @@ Drive::Drive(const BodyPlan& plan, int root_speeds)
     const Actuator& actuator = plan.model.actuators[j];
     const std::vector<int>& hinges = actuator.coordinates;
     if (hinges.empty()) continue;
-    NAO_CHECK(hinges.size() <= 2);
     motors_.emplace_back(actuator, plan.transmissions[j], plan.servo_deadband[j],
                          plan.joint_zero[j]);
     const double share = 1.0 / static_cast<double>(hinges.size());
-    const int second = hinges.size() > 1 ? root_speeds + hinges[1] : -1;
-    places_.push_back({j, hinges[0], root_speeds + hinges[0], second, share, actuator.board});
+    places_.push_back({j, hinges[0], {}, share, actuator.board});
+    for (const int c : hinges) places_.back().speeds.push_back(root_speeds + c);
     if (motors_.back().soft()) continue;
     for (const int c : hinges) rotor_inertia_[root_speeds + c] = share * actuator.rotor_inertia;
   }
@@ -81,11 +80,10 @@ void Drive::addTo(TreeMatrix& matrix, Eigen::VectorXd& rhs) const {
     const Place& place = places_[i];
     const double push = h_ * place.share * motors_[i].now();
     const double fall = h_ * place.share * motors_[i].change();
-    rhs[place.speed] += push;
-    matrix.at(place.speed, place.speed) += fall;
-    if (place.second < 0) continue;
-    rhs[place.second] += push;
-    matrix.at(place.second, place.second) += fall;
+    for (const int speed : place.speeds) {
+      rhs[speed] += push;
+      matrix.at(speed, speed) += fall;
+    }
   }
 }
 
@@ -96,22 +94,21 @@ void Drive::addSmooth(const JointCommand& command, const double* q, const double
     const Place& place = places_[i];
     const double push = motors_[i].smoothTorque();
     torque_[place.joint] = load_[place.joint] = push;
-    torque[place.speed] += place.share * push;
-    if (place.second >= 0) torque[place.second] += place.share * push;
+    for (const int speed : place.speeds) torque[speed] += place.share * push;
   }
 }
 
 bool Drive::revise(const Eigen::VectorXd& du) {
   bool changed = false;
   for (std::size_t i = 0; i < motors_.size(); ++i) {
-    changed |= motors_[i].revise(du[places_[i].speed]);
+    changed |= motors_[i].revise(du[places_[i].speeds.front()]);
   }
   return changed;
 }
 
 void Drive::finish(const Eigen::VectorXd& du) {
   for (std::size_t i = 0; i < motors_.size(); ++i) {
-    motors_[i].finish(du[places_[i].speed]);
+    motors_[i].finish(du[places_[i].speeds.front()]);
     torque_[places_[i].joint] = motors_[i].torque();
     load_[places_[i].joint] = motors_[i].load();
   }

@@ -54,9 +54,9 @@ class Drive {
  private:
   struct Place {  // of a motor with hinges
     std::size_t joint;
-    int coordinate;     // of its first hinge
-    int speed, second;  // in u; second -1: one hinge
-    double share;       // of each hinge in the torque
+    int coordinate;           // of its first hinge
+    std::vector<int> speeds;  // in u, of all its hinges
+    double share;             // of each hinge in the torque
     int board;
   };
   bool boardIsOff(const JointCommand& command, const Place& place) const;

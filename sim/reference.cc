@@ -1,3 +1,4 @@
+#include "sim/hinge_ties.h"
 #include "sim/integrator.h"
 #include "sim/simbody_tree.h"
 
@@ -38,16 +39,9 @@ class Law final : public SimTK::Force::Custom::Implementation {
     A.diagonal() += rotor_inertia_;
     const Eigen::LDLT<Eigen::MatrixXd> factors(A);
     Eigen::VectorXd acceleration = factors.solve(f - tree_.calcVelocityBias(state));
-    for (const Actuator& actuator : plan_.model.actuators) {
-      if (actuator.coordinates.size() < 2) continue;
-      Eigen::VectorXd tie = Eigen::VectorXd::Zero(A.rows());
-      const int a = root_u + actuator.coordinates[0];
-      const int b = root_u + actuator.coordinates[1];
-      tie[a] = 1;
-      tie[b] = -1;
-      const Eigen::VectorXd push = factors.solve(tie);
-      acceleration -= (acceleration[a] - acceleration[b]) / (push[a] - push[b]) * push;
-    }
+    HingeTies(plan_.model, root_u)
+        .hold([&](Eigen::VectorXd& c) { c = factors.solve(c).eval(); },
+              [](int, int) { return 0.0; }, acceleration);
     return acceleration;
   }
 

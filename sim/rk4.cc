@@ -1,3 +1,4 @@
+#include "sim/hinge_ties.h"
 #include "sim/integrator.h"
 
 namespace nao::sim {
@@ -10,6 +11,7 @@ class Rk4 final : public Integrator {
         dynamics_(dynamics),
         rotor_inertia_(rotor_inertia),
         matrix_(dynamics.parents()),
+        ties_(plan.model, dynamics.rootSpeedCount()),
         torque_(dynamics.speedCount()) {}
 
   void step(SmoothForces& forces, double h, TreeState& tree) override {
@@ -64,16 +66,8 @@ class Rk4 final : public Integrator {
 
   // Hinges of one motor speed up alike.
   void tieSharedHinges(Eigen::VectorXd& acceleration) {
-    for (const Actuator& actuator : plan_.model.actuators) {
-      if (actuator.coordinates.size() < 2) continue;
-      const int a = dynamics_.rootSpeedCount() + actuator.coordinates[0];
-      const int b = dynamics_.rootSpeedCount() + actuator.coordinates[1];
-      tie_.setZero(acceleration.size());
-      tie_[a] = 1;
-      tie_[b] = -1;
-      matrix_.solve(tie_);
-      acceleration -= (acceleration[a] - acceleration[b]) / (tie_[a] - tie_[b]) * tie_;
-    }
+    ties_.hold([this](Eigen::VectorXd& c) { matrix_.solve(c); }, [](int, int) { return 0.0; },
+               acceleration);
   }
 
   // q' from u: the quaternion turns with the angular velocity in W, the rest as it is.
@@ -94,7 +88,8 @@ class Rk4 final : public Integrator {
   TreeDynamics& dynamics_;
   const Eigen::VectorXd& rotor_inertia_;
   TreeMatrix matrix_;
-  Eigen::VectorXd torque_, bias_, tie_;
+  HingeTies ties_;
+  Eigen::VectorXd torque_, bias_;
   std::vector<ExternalForce> on_bodies_;
 };
 

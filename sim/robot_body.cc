@@ -24,6 +24,7 @@ RobotBody::RobotBody(BodyPlan plan, Mode mode)
       drive_(*plan_, dynamics_.rootSpeedCount()),
       stops_(plan_->model, dynamics_.rootSpeedCount()),
       contact_(plan_->model, plan_->ground),
+      ties_(plan_->model, dynamics_.rootSpeedCount()),
       smooth_(dynamics_.rootSpeedCount(), drive_, stops_, contact_),
       tree_(dynamics_.zeroState()),
       hands_(plan_->model.jointCount()),
@@ -156,23 +157,15 @@ void RobotBody::addExternal(const std::vector<ExternalForce>& external, double h
   }
 }
 
-// Hinges of one motor end the step at one angle: the impulse between them that does so.
+// Hinges of one motor end the step at one angle.
 void RobotBody::tieSharedHinges(double h) {
-  for (const Actuator& actuator : model().actuators) {
-    for (std::size_t i = 1; i < actuator.coordinates.size(); ++i) {
-      const int a = actuator.coordinates.front();
-      const int b = actuator.coordinates[i];
-      const int speed_a = dynamics_.rootSpeedCount() + a;
-      const int speed_b = dynamics_.rootSpeedCount() + b;
-      tie_.setZero(du_.size());
-      tie_[speed_a] = 1;
-      tie_[speed_b] = -1;
-      system_.solve(tie_);
-      const double gap = (coordinates()[a] - coordinates()[b]) / h + rates()[a] - rates()[b] +
-                         du_[speed_a] - du_[speed_b];
-      du_ -= gap / (tie_[speed_a] - tie_[speed_b]) * tie_;
-    }
-  }
+  const int root = dynamics_.rootSpeedCount();
+  ties_.hold([this](Eigen::VectorXd& c) { system_.solve(c); },
+             [&](int a, int b) {
+               return (coordinates()[b - root] - coordinates()[a - root]) / h + tree_.u[b] -
+                      tree_.u[a];
+             },
+             du_);
 }
 
 void RobotBody::integrate(double h) {
@@ -222,9 +215,9 @@ double RobotBody::calcMobility(int body, const Vec3& p_W, const Vec3& n_W) {
   needMobility();
   push_.setZero(dynamics_.speedCount());
   addPush(body, p_W, n_W, 1);
-  tie_ = push_;
-  mobility_.solve(tie_);
-  return push_.dot(tie_);
+  yielding_ = push_;
+  mobility_.solve(yielding_);
+  return push_.dot(yielding_);
 }
 
 double RobotBody::calcMobility(int body_a, int body_b, const Vec3& p_W, const Vec3& n_W) {
@@ -232,9 +225,9 @@ double RobotBody::calcMobility(int body_a, int body_b, const Vec3& p_W, const Ve
   push_.setZero(dynamics_.speedCount());
   addPush(body_a, p_W, n_W, 1);
   addPush(body_b, p_W, n_W, -1);
-  tie_ = push_;
-  mobility_.solve(tie_);
-  return push_.dot(tie_);
+  yielding_ = push_;
+  mobility_.solve(yielding_);
+  return push_.dot(yielding_);
 }
 
 void RobotBody::archive(Archive& archive) {

@@ -9,6 +9,7 @@
 #include "sim/drive.h"
 #include "sim/external_force.h"
 #include "sim/ground_contact.h"
+#include "sim/hinge_ties.h"
 #include "sim/integrator.h"
 #include "sim/joint_stops.h"
 #include "sim/mode.h"
@@ -97,6 +98,7 @@ class RobotBody {
   Drive drive_;
   JointStops stops_;
   GroundContact contact_;
+  HingeTies ties_;
   SmoothForces smooth_;
   std::unique_ptr<Integrator> integrator_;  // null in the implicit mode
   TreeState tree_;
@@ -104,7 +106,7 @@ class RobotBody {
   TreeMatrix inertia_, system_, mobility_;
   bool inertia_known_ = false;  // of the present tree
   bool mobility_known_ = false;
-  Eigen::VectorXd bias_, external_, du_, tie_, push_;
+  Eigen::VectorXd bias_, external_, du_, push_, yielding_;
   int solves_ = 0;
   const PhaseWatch* watch_ = nullptr;
 };
