@@ -10,7 +10,7 @@ void clipToLimits(const RobotModel& model, const JointSet& joints, JointArray<do
     if (joints.test(i)) angle[i] = std::clamp(angle[i], actuator.lower, actuator.upper);
   }
   for (const CoupledLimit& limit : model.coupled_limits) {
-    if (!joints.test(index(limit.limited))) continue;
+    if (!limit.clip || !joints.test(index(limit.limited))) continue;
     const auto [low, high] = limit.rangeAt(angle[limit.driver]);
     angle[limit.limited] = std::clamp(angle[limit.limited], low, high);
   }

@@ -7,7 +7,8 @@
 namespace nao::motion {
 
 /// Moves the angles of these joints into their ranges: first each joint's own, then those that
-/// depend on another joint's angle (head pitch on head yaw, ankle roll on ankle pitch).
+/// depend on another joint's angle, as far as the robot's file says `clip` (head pitch by head yaw,
+/// ankle roll by ankle pitch).
 void clipToLimits(const RobotModel& model, const JointSet& joints, JointArray<double>& angle);
 
 }  // namespace nao::motion
