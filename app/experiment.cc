@@ -1,9 +1,9 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <map>
 #include <memory>
 
 #include "app/commands.h"
+#include "app/modes.h"
 #include "app/source_paths.h"
 #include "validation/experiment.h"
 
@@ -20,10 +20,6 @@ struct Arguments {
   bool json = false;
   std::string plot;
 };
-
-const std::map<std::string, sim::Mode> kModes{{"implicit", sim::Mode::Implicit},
-                                              {"rk4", sim::Mode::Rk4},
-                                              {"reference", sim::Mode::Reference}};
 
 void run(Arguments& arguments) {
   validation::ExperimentSettings& settings = arguments.settings;

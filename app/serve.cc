@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "app/modes.h"
 #include "app/source_paths.h"
 #include "daemon/daemon.h"
 #include "daemon/descriptor_limit.h"
@@ -22,6 +23,9 @@ void printReady(daemon::Daemon& daemon, const std::string& listen) {
     std::printf("ready: %s (%s) at tcp://%s:%d\n", daemon.robotName(i).c_str(),
                 daemon.robotModel(i).name.c_str(), listen.c_str(), daemon.port(i));
   }
+  for (const auto& [name, value] : daemon.draw()) {
+    std::printf("drawn: %s = %.9g\n", name.c_str(), value);
+  }
   std::fflush(stdout);
 }
 
@@ -39,8 +43,8 @@ void serve(Arguments& arguments) {
   daemon.stopOnSignals();
   daemon.run([&] { printReady(daemon, options.listen); });
   const daemon::LoopState end = daemon.state();
-  std::printf("stopped at %.3f s of simulated time, state %016" PRIx64 "\n", toSeconds(end.time),
-              end.hash);
+  std::printf("stopped at %.3f s of simulated time, seed %" PRIu64 ", state %016" PRIx64 "\n",
+              toSeconds(end.time), options.seed, end.hash);
 }
 
 }  // namespace
@@ -62,8 +66,16 @@ void addServe(CLI::App& app) {
       ->add_option("--speed", arguments->speed,
                    "Simulated seconds per second, or 'max' for as fast as it goes.")
       ->capture_default_str();
-  command->add_option("--seed", options.seed, "Start of all random numbers.")
+  command
+      ->add_option(
+          "--seed", options.seed,
+          "Draws what makes real runs differ, as the robots' files list it under\n"
+          "`variation`: joint zeros, start pose, floor friction, encoder jitter, IMU noise.\n"
+          "The same seed draws the same; 0: no variation.")
       ->capture_default_str();
+  command->add_option("--mode", options.mode, "How to integrate: implicit, rk4 or reference.")
+      ->transform(CLI::CheckedTransformer(kModes))
+      ->default_str("implicit");
   command->add_option("--step", options.step, "Length of a physics step [s], 0.001 to 0.005.")
       ->capture_default_str();
   command->add_option("--robots-dir", options.robots_dir, "Where the robots' folders are.")

@@ -38,7 +38,10 @@ runtime::Simulation makeSimulation(const Options& options) {
     setups.push_back({robot.name, loadRobotModel(options.robots_dir, robot.model),
                       placeOf(robot, setups.size())});
   }
-  return {world, setups, fromSeconds(options.step)};
+  sim::WorldOptions how(fromSeconds(options.step));
+  how.mode = options.mode;
+  how.seed = options.seed;
+  return {world, setups, how};
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <functional>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -36,6 +37,9 @@ class Daemon {
   std::string robotName(std::size_t i) const { return simulation_.robotName(i); }
   const RobotModel& robotModel(std::size_t i) { return simulation_.robot(i).model(); }
   std::uint16_t port(std::size_t i) const { return hosts_[i]->port(); }
+
+  /// Before run(): what the seed has drawn for this run, by name; empty without one.
+  std::map<std::string, double> draw() { return simulation_.world().draw(); }
 
   /// After run(): how far the simulation came.
   LoopState state() const { return *loop_.state().get(); }

@@ -18,6 +18,17 @@ RobotOption parseRobot(const std::string& text) {
   return robot;
 }
 
+std::uint16_t portOf(const Options& options, std::size_t robot) {
+  if (options.port == 0) return 0;
+  const std::size_t port = options.port + robot;
+  if (port > std::numeric_limits<std::uint16_t>::max()) {
+    throw InputError("--port: robot " + std::to_string(robot) + " would listen on port " +
+                     std::to_string(port) + ", expected --port and the number of robots to stay " +
+                     "at or below 65535");
+  }
+  return static_cast<std::uint16_t>(port);
+}
+
 double parseSpeed(const std::string& text) {
   if (text == "max") return std::numeric_limits<double>::infinity();
   double speed = 0;

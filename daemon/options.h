@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/frames.h"
+#include "runtime/simulation.h"
 
 namespace nao::daemon {
 
@@ -24,12 +25,16 @@ struct Options {
   std::uint16_t port = 9559;  // robot i listens on port + i; 0: any free one for each
   double speed = 1;           // simulated seconds per second; infinite: as fast as it goes
   double step = 0.002;        // [s] of the physics
-  std::uint64_t seed = 1;
-  bool strict = false;  // open connections as libqi 4 does, not as older NAOqi
+  sim::Mode mode = sim::Mode::Implicit;
+  std::uint64_t seed = 0;  // 0: no variation, every run is the same
+  bool strict = false;     // open connections as libqi 4 does, not as older NAOqi
 };
 
 /// Reads "name=model" or "model". @throws InputError if empty.
 RobotOption parseRobot(const std::string& text);
+
+/// Where the robot of this number listens. @throws InputError if there is no such port.
+std::uint16_t portOf(const Options& options, std::size_t robot);
 
 /// Reads "max" or a number above 0. @throws InputError otherwise.
 double parseSpeed(const std::string& text);

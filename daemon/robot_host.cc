@@ -14,18 +14,14 @@ namespace {
 // NaoQi's clock at the start of every world, so that runs repeat: 13 March 2011.
 constexpr std::chrono::seconds kEpoch{1300000000};
 
-std::uint16_t portOf(const Options& options, std::size_t robot) {
-  if (options.port == 0) return 0;
-  return static_cast<std::uint16_t>(options.port + robot);
-}
-
 }  // namespace
 
 RobotHost::RobotHost(const HostContext& context, std::size_t robot)
     : link_(context.simulation.robot(robot).sharedModel(), context.simulation.robot(robot).ports()),
       images_(std::make_shared<camera::ImageFeed>()),
       pictures_(std::make_shared<camera::RenderQueue>(images_)),
-      usar_sim_(context.loop, context.simulation.truth(), robot),
+      usar_sim_(context.loop, context.simulation.truth(), robot,
+                {context.options.seed, context.simulation.world().draw()}),
       video_(link_.sharedModel(), images_, kEpoch),
       memory_(link_.model(), context.simulation.robot(robot).ports(),
               context.simulation.robotName(robot), [this] { return naoqiTime(); }),

@@ -136,20 +136,29 @@ void RobotLoop::handle(const LoopRequest& request) {
                           restart(r.speed);
                           finish(request.id);
                         },
-                        [&](const runtime::WorldRequest& r) {
-                          try {
-                            simulation_.apply(r);
-                            finish(request.id);
-                          } catch (const InputError& error) {
-                            finish(request.id, error.what());
-                          }
-                        }},
+                        [&](const runtime::WorldRequest& r) { apply(request.id, r); }},
              request.action);
 }
 
+void RobotLoop::apply(std::uint64_t id, const runtime::WorldRequest& request) {
+  try {
+    const SimTime before = simulation_.now();
+    simulation_.apply(request);
+    if (simulation_.now() != before) {
+      pace_.restart(pace_.speed(), simulation_.now(), std::chrono::steady_clock::now());
+    }
+    if (std::holds_alternative<runtime::RestoreSnapshot>(request)) {
+      endSteps(motion::kSetBackReason);
+    }
+    finish(id);
+  } catch (const InputError& error) {
+    finish(id, error.what());
+  }
+}
+
 // Who asked for steps is told when somebody else decides otherwise.
-void RobotLoop::endSteps() {
-  if (std::exchange(steps_left_, 0) > 0) finish(step_request_, "the steps were cut short");
+void RobotLoop::endSteps(const char* reason) {
+  if (std::exchange(steps_left_, 0) > 0) finish(step_request_, reason);
 }
 
 void RobotLoop::finish(std::uint64_t id, std::string error) {
@@ -162,7 +171,8 @@ void RobotLoop::publish() {
   state.speed = pace_.speed();
   state.paused = paused_;
   state.healthy = simulation_.world().healthy();
-  if (paused_) state.hash = simulation_.world().hash();
+  if (paused_) state.hash = simulation_.hash();
+  state.snapshots = simulation_.snapshotNames();
   state_.publish(state);
   std::size_t sent = 0;
   while (sent < unsent_.size() && outcomes_.post(unsent_[sent])) ++sent;

@@ -45,7 +45,8 @@ struct LoopState {
   double speed = 1;
   bool paused = false;
   bool healthy = true;
-  std::uint64_t hash = 0;  // of the world; only while paused or stopped
+  std::uint64_t hash = 0;              // of the simulation; only while paused or stopped
+  std::vector<std::string> snapshots;  // kept by name
 };
 
 /// The simulation thread: advances the simulation at its pace and nothing else. Owns the
@@ -75,8 +76,9 @@ class RobotLoop {
   void run();
   void handleRequests();
   void handle(const LoopRequest& request);
+  void apply(std::uint64_t id, const runtime::WorldRequest& request);
   void finish(std::uint64_t id, std::string error = {});
-  void endSteps();
+  void endSteps(const char* reason = "the steps were cut short");
   bool mayAdvance();
   void advance();
   void advanceBy(Duration duration);

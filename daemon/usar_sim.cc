@@ -26,13 +26,15 @@ double checked(double value, const char* name, double most) {
 constexpr double kFar = 1000;      // [m] the world has no edge, but numbers have
 constexpr double kStrong = 10000;  // [N]
 constexpr double kLong = 3600;     // [s]
+constexpr std::size_t kLongestName = 100;
 
 }  // namespace
 
-UsarSim::UsarSim(RobotLoop& loop, const Latest<SceneFrame>& truth, std::size_t robot)
+UsarSim::UsarSim(RobotLoop& loop, const Latest<SceneFrame>& truth, std::size_t robot, Chance chance)
     : loop_(loop),
       truth_(truth),
       robot_(robot),
+      chance_(std::move(chance)),
       next_id_((static_cast<std::uint64_t>(robot) << 48) + 1) {}  // apart from other ports' ids
 
 rpc::Service UsarSim::describe() {
@@ -51,7 +53,7 @@ rpc::Service UsarSim::describe() {
       .method("speed", this, &UsarSim::speed, "Wanted simulated seconds per second; inf: maximum.")
       .method("isPaused", this, &UsarSim::isPaused, "Whether time stands.")
       .method("hash", this, &UsarSim::hash,
-              "A number of the world's state, equal for equal runs; only while paused.")
+              "A number of the state of world and robots, equal for equal runs; only while paused.")
       .method("pause", this, &UsarSim::pause, "Stops time.")
       .method("resume", this, &UsarSim::resume, "Lets time go on.")
       .method("step", this, &UsarSim::step, "While paused: some physics steps, then paused again.",
@@ -67,7 +69,20 @@ rpc::Service UsarSim::describe() {
               Argument{"x", "[m]"}, Argument{"y", "[m]"}, Argument{"theta", "Heading [rad]."})
       .method("placeBall", this, &UsarSim::placeBall, "Puts the first ball down, at rest.",
               Argument{"x", "[m]"}, Argument{"y", "[m]"},
-              Argument{"z", "Of its centre [m]; lifted onto the ground if lower."});
+              Argument{"z", "Of its centre [m]; lifted onto the ground if lower."})
+      .method("snapshot", this, &UsarSim::snapshot,
+              "Keeps the complete present state, motions under way included; up to 64.",
+              Argument{"name", "In place of one that had this name."})
+      .method("restore", this, &UsarSim::restore,
+              "Everything back to a snapshot, time too; it goes on from there to the last bit. "
+              "Motion calls that have not ended fail.",
+              Argument{"name", "One of snapshots()."})
+      .method("dropSnapshot", this, &UsarSim::dropSnapshot, "Forgets a snapshot.",
+              Argument{"name", "One of snapshots()."})
+      .method("snapshots", this, &UsarSim::snapshots, "Names of the snapshots, sorted.")
+      .method("seed", this, &UsarSim::seed, "The run's --seed; 0: no variation.")
+      .method("draw", this, &UsarSim::draw,
+              "What the seed has drawn for this run, by robot, effect and name.");
   return service;
 }
 
@@ -140,6 +155,22 @@ std::string UsarSim::hash() const {
   char text[17];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(state->hash));
   return text;
+}
+
+UsarSim::Pending UsarSim::snapshot(const std::string& name) {
+  if (name.empty() || name.size() > kLongestName) {
+    throw CallError("UsarSim: a snapshot's name has 1 to " + std::to_string(kLongestName) +
+                    " characters");
+  }
+  return ask(runtime::WorldRequest(runtime::TakeSnapshot{name}));
+}
+
+UsarSim::Pending UsarSim::restore(const std::string& name) {
+  return ask(runtime::WorldRequest(runtime::RestoreSnapshot{name}));
+}
+
+UsarSim::Pending UsarSim::dropSnapshot(const std::string& name) {
+  return ask(runtime::WorldRequest(runtime::DropSnapshot{name}));
 }
 
 UsarSim::Pending UsarSim::pause() { return ask(PauseWorld{}); }

@@ -18,8 +18,14 @@ namespace nao::daemon {
 /// truth. I/O thread. Poses are in W, metres and radians.
 class UsarSim {
  public:
+  /// What makes this run different from others.
+  struct Chance {
+    std::uint64_t seed = 0;
+    std::map<std::string, double> draw;
+  };
+
   /// Speaks for robot number `robot` of the loop's simulation.
-  UsarSim(RobotLoop& loop, const Latest<SceneFrame>& truth, std::size_t robot);
+  UsarSim(RobotLoop& loop, const Latest<SceneFrame>& truth, std::size_t robot, Chance chance);
 
   rpc::Service describe();
 
@@ -38,6 +44,9 @@ class UsarSim {
   float speed() const;
   bool isPaused() const;
   std::string hash() const;
+  std::uint64_t seed() const { return chance_.seed; }
+  std::map<std::string, double> draw() const { return chance_.draw; }
+  std::vector<std::string> snapshots() const { return loop_.state().get()->snapshots; }
 
   Pending pause();
   Pending resume();
@@ -47,6 +56,9 @@ class UsarSim {
   Pending push(double x, double y, double z, double duration);
   Pending placeRobot(double x, double y, double theta);
   Pending placeBall(double x, double y, double z);
+  Pending snapshot(const std::string& name);
+  Pending restore(const std::string& name);
+  Pending dropSnapshot(const std::string& name);
 
   Pending ask(decltype(LoopRequest::action) action);
   const SceneFrame::Robot& find(const std::string& name, const SceneFrame& scene) const;
@@ -54,6 +66,7 @@ class UsarSim {
   RobotLoop& loop_;
   const Latest<SceneFrame>& truth_;
   std::size_t robot_;
+  Chance chance_;
   std::uint64_t next_id_;
   std::map<std::uint64_t, Pending> asked_;
 };

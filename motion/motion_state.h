@@ -17,6 +17,9 @@ struct Task {
   std::vector<Joint> joints;
 };
 
+/// Why calls fail that wait while the robot is set back.
+inline constexpr char kSetBackReason[] = "the simulation was set back to a snapshot";
+
 /// What the motion engine has commanded, published once per tick. What services may read.
 struct MotionState {
   SimTime time{};

@@ -91,7 +91,7 @@ Pending<Value> complete(const F& call) {
         result.resolve(toValue<Stored>(*outcome.value));
       }
     });
-    if (pending.canBeCanceled()) result.onCancel(pending.canceler());
+    result.cancelsWith(pending);
   } else {
     result.resolve(toValue<R>(call()));
   }

@@ -52,6 +52,27 @@ class Pending {
     if (!state_->outcome) state_->stop = std::move(stop);
   }
 
+  /// For a call that only waits, so that a cancel has nothing to end: it can be canceled, and it
+  /// is, should its client go.
+  void onlyWaits() const {
+    if (state_->outcome) return;
+    state_->stop = [] {};
+    state_->only_waits = true;
+  }
+
+  /// For a result that is made of another: canceled or abandoned with it.
+  template <class U>
+  void cancelsWith(const Pending<U>& source) const {
+    if (!source.canBeCanceled()) return;
+    onCancel(source.canceler());
+    state_->only_waits = source.isOnlyWaiting();
+  }
+
+  /// Its client has gone. A call that only waits ends; what others have started goes on.
+  void abandon() const {
+    if (state_->only_waits) cancel();
+  }
+
   /// Stops a call that can be canceled; it then counts as canceled unless `stop` ended it itself.
   void cancel() const {
     if (state_->outcome || !state_->stop) return;
@@ -71,6 +92,7 @@ class Pending {
     };
   }
 
+  bool isOnlyWaiting() const { return state_->only_waits; }
   bool canBeCanceled() const { return static_cast<bool>(state_->stop); }
   bool isDone() const { return state_->outcome.has_value(); }
   const std::optional<Outcome<Stored>>& outcome() const { return state_->outcome; }
@@ -80,6 +102,7 @@ class Pending {
     std::optional<Outcome<Stored>> outcome;
     std::vector<Done> done;
     std::function<void()> stop;
+    bool only_waits = false;
   };
 
   explicit Pending(std::shared_ptr<State> state) : state_(std::move(state)) {}

@@ -45,9 +45,10 @@ rpc::Pending<void> RobotLink::postAndWait(motion::MotionAction action) {
 }
 
 rpc::Pending<void> RobotLink::until(std::function<bool(const motion::MotionState&)> condition) {
-  Waiting waiting{last_posted_, std::move(condition), {}};
-  waiting.pending.onCancel([] {});  // then nobody waits, and nothing else is to be ended
-  if (holds(waiting, ports_->state.get().get())) {
+  const auto state = ports_->state.get();
+  Waiting waiting{last_posted_, state ? state->set_back : 0, std::move(condition), {}};
+  waiting.pending.onlyWaits();
+  if (holds(waiting, state.get())) {
     waiting.pending.resolve();
   } else {
     waiting_.push_back(waiting);
@@ -78,6 +79,7 @@ SimTime RobotLink::now() const {
 }
 
 std::uint64_t RobotLink::after(Duration delay, std::function<void()> callback) {
+  keepDelays();
   timers_.emplace(now() + delay, Timer{++last_timer_, std::move(callback)});
   return last_timer_;
 }
@@ -107,15 +109,33 @@ void RobotLink::deliverConditions() {
   std::vector<Waiting> before;
   before.swap(waiting_);
   std::vector<Waiting> fulfilled;
+  std::vector<Waiting> overtaken;
   for (Waiting& waiting : before) {
     if (waiting.pending.isDone()) continue;  // canceled
-    auto& next = holds(waiting, state.get()) ? fulfilled : waiting_;
+    const bool set_back = state && state->set_back != waiting.set_back;
+    auto& next = set_back ? overtaken : holds(waiting, state.get()) ? fulfilled : waiting_;
     next.push_back(std::move(waiting));
   }
+  for (const Waiting& waiting : overtaken) waiting.pending.fail(motion::kSetBackReason);
   for (const Waiting& waiting : fulfilled) waiting.pending.resolve();
 }
 
+// Time does not only pass, it is also set back: what is left of a delay stays.
+void RobotLink::keepDelays() {
+  const auto state = ports_->state.get();
+  if (!state) return;
+  if (state->set_back != set_back_) {
+    const Duration jump = state->time - last_now_;
+    std::multimap<SimTime, Timer> moved;
+    for (auto& [due, timer] : timers_) moved.emplace(due + jump, std::move(timer));
+    timers_ = std::move(moved);
+    set_back_ = state->set_back;
+  }
+  last_now_ = state->time;
+}
+
 void RobotLink::deliverTimers() {
+  keepDelays();
   const SimTime now = this->now();
   while (!timers_.empty() && timers_.begin()->first <= now) {
     const auto timer = timers_.extract(timers_.begin());

@@ -40,7 +40,8 @@ class RobotLink {
   rpc::Pending<void> postAndWait(motion::MotionAction action);
 
   /// Ends when `condition` holds for the robot's state and every request posted before this call
-  /// has been taken over: at once if so already. Can be canceled.
+  /// has been taken over: at once if so already. Can be canceled. Fails when the robot is set back
+  /// to a snapshot.
   rpc::Pending<void> until(std::function<bool(const motion::MotionState&)> condition);
 
   /// What `read` returns once everything posted so far has been taken over, so that a client
@@ -67,7 +68,8 @@ class RobotLink {
   SimTime now() const;
 
   /// Calls `callback` when this much simulated time has passed, in order of time and then of
-  /// asking. Returns the number to cancel it with.
+  /// asking. Returns the number to cancel it with. When time is set back, the rest of the delay
+  /// stays.
   std::uint64_t after(Duration delay, std::function<void()> callback);
   void cancelTimer(std::uint64_t timer);
 
@@ -78,6 +80,7 @@ class RobotLink {
  private:
   struct Waiting {
     motion::RequestId posted = 0;
+    std::uint64_t set_back = 0;  // as the robot's state says
     std::function<bool(const motion::MotionState&)> condition;
     rpc::Pending<void> pending;
   };
@@ -89,6 +92,7 @@ class RobotLink {
   void deliverOutcomes();
   void deliverConditions();
   void deliverTimers();
+  void keepDelays();
 
   std::shared_ptr<const RobotModel> model_;
   std::shared_ptr<motion::RobotPorts> ports_;
@@ -97,6 +101,8 @@ class RobotLink {
   std::vector<Waiting> waiting_;
   std::multimap<SimTime, Timer> timers_;
   std::uint64_t last_timer_ = 0;
+  std::uint64_t set_back_ = 0;  // seen last, with
+  SimTime last_now_{};          // the time it then was
 };
 
 }  // namespace nao::services

@@ -61,7 +61,7 @@ void Robot::restore(const Snapshot& snapshot) {
     open_.insert(request.id);
     last_accepted_ = request.id;
   }
-  endOpen(motion::MotionOutcome::Kind::Failed, "the simulation was set back to a snapshot");
+  endOpen(motion::MotionOutcome::Kind::Failed, motion::kSetBackReason);
   ++set_back_;
   motion_ = snapshot.motion;
   ports_->sensors.publish(snapshot.sensors);

@@ -147,7 +147,7 @@ rpc::Pending<rpc::Value> AlVideoDevice::getImageRemote(const std::string& handle
     const auto given_up = [](const auto& call) { return call.isDone(); };
     waiting.erase(std::remove_if(waiting.begin(), waiting.end(), given_up), waiting.end());
     waiting.push_back(reply);
-    reply.onCancel([] {});  // may be given up at any time
+    reply.onlyWaits();
   }
   return reply;
 }

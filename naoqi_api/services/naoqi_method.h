@@ -26,7 +26,7 @@ rpc::Pending<T> withNaoqiError(const rpc::Pending<T>& result, const std::string&
     if (outcome.error) return told.fail(naoqiError(where, *outcome.error));
     told.resolve(*outcome.value);
   });
-  if (result.canBeCanceled()) told.onCancel(result.canceler());
+  told.cancelsWith(result);
   return told;
 }
 template <class T>

@@ -50,7 +50,7 @@ Dispatcher::Dispatcher(rpc::ServiceHub& hub, std::shared_ptr<Channel> channel,
 
 void Dispatcher::end() {
   late_.clear();
-  unfinished_.clear();
+  for (const auto& [number, call] : std::exchange(unfinished_, {})) call.result.abandon();
   subscriptions_.clear();
   session_->setReach({});
   client_calls_->setObjects(nullptr);

@@ -16,6 +16,21 @@ TEST(Options, ARobotHasANameAndAModel) {
   for (const char* bad : {"", "=x", "x="}) EXPECT_THROW(parseRobot(bad), InputError) << bad;
 }
 
+TEST(Options, EveryRobotHasAPortOfItsOwnOrNone) {
+  Options options;
+  options.port = 65534;
+  EXPECT_EQ(portOf(options, 0), 65534);
+  EXPECT_EQ(portOf(options, 1), 65535);
+  try {
+    portOf(options, 2);
+    FAIL() << "a port above 65535";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("65536"), std::string::npos) << error.what();
+  }
+  options.port = 0;  // any free one
+  EXPECT_EQ(portOf(options, 2), 0);
+}
+
 TEST(Options, SpeedIsANumberOrMax) {
   EXPECT_EQ(parseSpeed("2.5"), 2.5);
   EXPECT_TRUE(std::isinf(parseSpeed("max")));

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <map>
+#include <memory>
+#include <thread>
+#include <vector>
 
 #include "tests/support/models.h"
 
@@ -71,6 +75,45 @@ TEST_F(RobotLoopTest, TellsTheStateOnlyWhileTimeStands) {
   EXPECT_NE(hash, 0u);
   EXPECT_EQ(errorOf(post(StepWorld{1})), "");
   EXPECT_NE(loop_.state().get()->hash, hash);
+}
+
+TEST_F(RobotLoopTest, GoesBackToASnapshotOfAName) {
+  using runtime::WorldRequest;
+  const auto paused = post(PauseWorld{});
+  loop_.start();
+  EXPECT_EQ(errorOf(paused), "");
+  EXPECT_EQ(errorOf(post(WorldRequest(runtime::TakeSnapshot{"a"}))), "");
+  const LoopState then = *loop_.state().get();
+  EXPECT_EQ(then.snapshots, std::vector<std::string>{"a"});
+  EXPECT_EQ(errorOf(post(StepWorld{50})), "");
+  EXPECT_EQ(errorOf(post(WorldRequest(runtime::RestoreSnapshot{"b"}))), "there is no snapshot 'b'");
+  const auto endless = post(StepWorld{INT64_MAX});
+  EXPECT_EQ(errorOf(post(WorldRequest(runtime::RestoreSnapshot{"a"}))), "");
+  EXPECT_EQ(errorOf(endless), motion::kSetBackReason);
+  EXPECT_EQ(loop_.state().get()->time, then.time);
+  EXPECT_EQ(loop_.state().get()->hash, then.hash);
+}
+
+// In real time this takes the third of a second that it simulates.
+TEST(RobotLoop, TheStateDoesNotDependOnThePace) {
+  const auto sim = [] {
+    auto simulation = std::make_unique<runtime::Simulation>(
+        test::flatWorld(), std::vector<sim::RobotSetup>{{"nao", test::robot("nao_h21_v33"), {}}},
+        2ms);
+    EXPECT_TRUE(simulation->robot(0).ports()->requests.post({1, motion::WakeUp{}}));
+    return simulation;
+  };
+  for (const double speed : {1.0, 1e6, std::numeric_limits<double>::infinity()}) {
+    const auto paced = sim();
+    RobotLoop loop(*paced, speed, [] {});
+    loop.start();
+    while (loop.state().get()->time < SimTime(333ms)) std::this_thread::yield();
+    loop.stop();
+    const LoopState end = *loop.state().get();
+    const auto sliced = sim();
+    while (sliced->now() < end.time) sliced->advanceTo(std::min(sliced->now() + 7ms, end.time));
+    EXPECT_EQ(sliced->hash(), end.hash) << "at speed " << speed;
+  }
 }
 
 }  // namespace

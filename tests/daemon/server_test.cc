@@ -162,6 +162,66 @@ TEST_F(ServerTest, AWaitForAPostedCallHasATimeOut) {
   EXPECT_EQ(client.answer(waited, "b"), Value(true));  // the time-out came first
 }
 
+/// The simulator's service as a client calls it.
+class UsarSimClient {
+ public:
+  explicit UsarSimClient(TcpClient& client) : client_(client), id_(client.service("UsarSim")) {}
+  Value ask(const char* method, const std::vector<Value>& arguments, const char* returns) {
+    const auto call = client_.call({id_, 1, client_.method(id_, method)}, Value::tuple(arguments));
+    return client_.answer(call, returns);
+  }
+
+ private:
+  TcpClient& client_;
+  std::uint32_t id_;
+};
+
+TEST_F(ServerTest, AClientTakesASnapshotMovesAndGoesBack) {
+  TcpClient client(running_.port());
+  UsarSimClient usar_sim(client);
+  const std::uint32_t motion = client.service("ALMotion");
+  const std::uint32_t wake_up = client.method(motion, "wakeUp");
+  usar_sim.ask("pause", {}, "v");
+  usar_sim.ask("snapshot", {"limp"}, "v");
+  const Value time = usar_sim.ask("time", {}, "d");
+  const Value limp = usar_sim.ask("hash", {}, "s");
+
+  Value moved[2];
+  for (Value& hash : moved) {
+    const auto waking = client.call({motion, 1, wake_up}, Value::tuple({}));
+    usar_sim.ask("step", {std::int64_t{500}}, "v");  // 1 s: less than it needs
+    hash = usar_sim.ask("hash", {}, "s");
+    EXPECT_NE(hash, limp);
+    const auto restore = client.service("UsarSim");
+    const auto back =
+        client.call({restore, 1, client.method(restore, "restore")}, Value::tuple({"limp"}));
+    const Value failure = client.answer(waking, "v");
+    EXPECT_EQ(*failure.findText(),
+              "\tALMotion::wakeUp\n\tthe simulation was set back to a snapshot");
+    client.answer(back, "v");
+    EXPECT_EQ(usar_sim.ask("time", {}, "d"), time);
+    EXPECT_EQ(usar_sim.ask("hash", {}, "s"), limp);
+  }
+  EXPECT_EQ(moved[0], moved[1]);
+
+  EXPECT_EQ(usar_sim.ask("snapshots", {}, "[s]").to<std::vector<std::string>>(),
+            std::vector<std::string>{"limp"});
+  usar_sim.ask("dropSnapshot", {"limp"}, "v");
+  EXPECT_EQ(*usar_sim.ask("restore", {"limp"}, "v").findText(),
+            "UsarSim: there is no snapshot 'limp'");
+  EXPECT_NE(usar_sim.ask("snapshot", {std::string(101, 'x')}, "v").findText(), nullptr);
+}
+
+TEST(Daemon, SaysWhatItsSeedHasDrawn) {
+  Options options = optionsFor({{"nao", "nao_h21_v33", {}}});
+  options.seed = 7;
+  Running running(options);
+  TcpClient client(running.port());
+  UsarSimClient usar_sim(client);
+  EXPECT_EQ(usar_sim.ask("seed", {}, "L").to<std::int64_t>(), 7);
+  ASSERT_NE(usar_sim.ask("draw", {}, "{sd}").find<Value::Map>(), nullptr);
+}
+
 TEST_F(ServerTest, MutatedFramesNeverStopIt) {
   Random random(5);
   for (int k = 0; k < 100; ++k) {

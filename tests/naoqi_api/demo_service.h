@@ -60,7 +60,7 @@ class Demo {
   void fail() { throw CallError("deliberate failure"); }
   Pending<int> slow(int milliseconds) {
     Pending<int> result;
-    result.onCancel([] {});
+    milliseconds == 0 ? result.onlyWaits() : result.onCancel([] {});
     slow_calls.emplace_back(result, milliseconds);
     return result;
   }

@@ -108,6 +108,14 @@ TEST_F(QiConnectionTest, ACanceledCallIsAnsweredAsCanceled) {
   EXPECT_TRUE(answer->payload.empty());
 }
 
+TEST_F(QiConnectionTest, ACallThatOnlyWaitsEndsWithItsClient) {
+  client_.call(demo(109), Value::tuple({0}));  // only waits
+  client_.call(demo(109), Value::tuple({400}));
+  client_.connection.reset();
+  EXPECT_TRUE(demo_.demo.slow_calls[0].first.isDone());
+  EXPECT_FALSE(demo_.demo.slow_calls[1].first.isDone());
+}
+
 TEST_F(QiConnectionTest, QiloopsCancelCarriesTheCallsOwnNumber) {
   const auto slow = client_.call(demo(109), Value::tuple({300}));
   Message message;

@@ -123,6 +123,52 @@ TEST(RobotLink, AWaitThatIsCanceledIsForgotten) {
   EXPECT_EQ(asked, 2);
 }
 
+TEST(RobotLink, AWaitWhoseClientHasGoneIsForgottenAMotionGoesOn) {
+  RobotBench bench;
+  bench.cycle();
+  int asked = 0;
+  const auto wait = bench.link.until([&](const motion::MotionState& /*state*/) {
+    ++asked;
+    return false;
+  });
+  const auto call = bench.link.postAndWait(turnHead(*bench.model, 0.5));
+  wait.abandon();
+  call.abandon();
+  bench.run(0.1);
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(bench.link.state()->tasks.size(), 1u);
+  bench.run(0.5);
+  EXPECT_TRUE(call.outcome()->value);
+}
+
+TEST(RobotLink, WaitsFailAndDelaysStayWhenTimeIsSetBack) {
+  RobotBench bench;
+  bench.run(1);
+  const auto wait = bench.link.until([](const motion::MotionState& /*state*/) { return false; });
+  bool fired = false;
+  bench.link.after(std::chrono::milliseconds(100), [&] { fired = true; });
+  bench.run(0.05);
+  motion::MotionState back = *bench.link.state();
+  back.time = {};
+  back.set_back = 1;
+  bench.frame.time = {};
+  bench.ports->state.publish(back);
+  const auto later = bench.link.until([](const motion::MotionState& s) { return s.fallen; });
+  bench.link.deliver();
+  ASSERT_TRUE(wait.isDone());
+  EXPECT_EQ(wait.outcome()->error, "the simulation was set back to a snapshot");
+  EXPECT_FALSE(later.isDone());  // asked after it
+  EXPECT_FALSE(fired);
+  back.time += std::chrono::milliseconds(49);
+  bench.ports->state.publish(back);
+  bench.link.deliver();
+  EXPECT_FALSE(fired);
+  back.time += std::chrono::milliseconds(1);
+  bench.ports->state.publish(back);
+  bench.link.deliver();
+  EXPECT_TRUE(fired);
+}
+
 TEST(RobotLink, TimersFireInOrderOfSimulatedTime) {
   RobotBench bench;
   bench.cycle();
