@@ -42,8 +42,10 @@ struct Ball {
   std::string name = "ball";
   double radius = 0.0325;             // [m]
   double mass = 0.055;                // [kg]
+  double inertia_factor = 0.4;        // I = factor m r^2: 0.4 solid, 0.667 a thin shell
   double rolling_deceleration = 0.5;  // [1/s], a = -c v
-  Vec3 p_W = Vec3::Zero();            // [m] start
+  Material material;
+  Vec3 p_W = Vec3::Zero();  // [m] start
   Color color{255, 120, 0};
 };
 

@@ -203,31 +203,17 @@ void RobotBody::needMobility() {
   mobility_known_ = true;
 }
 
-void RobotBody::addPush(int body, const Vec3& p_W, const Vec3& n_W, double sign) {
+void RobotBody::addPush(int body, const Vec3& p_W, const Vec3& j_W, Eigen::VectorXd& push) const {
   TreeDynamics::PointJacobian jacobian;
   dynamics_.calcPointJacobian(body, p_W, jacobian);
   for (int axis = 0; axis < 3; ++axis) {
-    mobility_.addScaled(jacobian.leaf, jacobian.row[axis], sign * n_W[axis], push_);
+    inertia_.addScaled(jacobian.leaf, jacobian.row[axis], j_W[axis], push);
   }
 }
 
-double RobotBody::calcMobility(int body, const Vec3& p_W, const Vec3& n_W) {
+void RobotBody::respond(Eigen::VectorXd& push) {
   needMobility();
-  push_.setZero(dynamics_.speedCount());
-  addPush(body, p_W, n_W, 1);
-  yielding_ = push_;
-  mobility_.solve(yielding_);
-  return push_.dot(yielding_);
-}
-
-double RobotBody::calcMobility(int body_a, int body_b, const Vec3& p_W, const Vec3& n_W) {
-  needMobility();
-  push_.setZero(dynamics_.speedCount());
-  addPush(body_a, p_W, n_W, 1);
-  addPush(body_b, p_W, n_W, -1);
-  yielding_ = push_;
-  mobility_.solve(yielding_);
-  return push_.dot(yielding_);
+  mobility_.solve(push);
 }
 
 void RobotBody::archive(Archive& archive) {

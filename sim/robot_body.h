@@ -57,10 +57,10 @@ class RobotBody {
   double lowestPoint() const { return contact_.lowestPoint(motion()); }
   int solves() const { return solves_; }  // of the last step
 
-  /// How fast [m/s] a point of a body moves along the unit vector `n_W` per unit impulse [N s]
-  /// along it, with limp joints; the second form: of body a against body b, pushed apart.
-  double calcMobility(int body, const Vec3& p_W, const Vec3& n_W);
-  double calcMobility(int body_a, int body_b, const Vec3& p_W, const Vec3& n_W);
+  /// Adds to `push`, by speed of the tree, what an impulse `j_W` [N s] at a point of a body is to
+  /// it; respond() makes of that the change of u, with limp joints.
+  void addPush(int body, const Vec3& p_W, const Vec3& j_W, Eigen::VectorXd& push) const;
+  void respond(Eigen::VectorXd& push);
 
   /// u' under these forces, as the modes Rk4 and Reference see it.
   Eigen::VectorXd calcAcceleration(const JointCommand& command,
@@ -82,7 +82,6 @@ class RobotBody {
   void moved();
   void needInertia();
   void needMobility();
-  void addPush(int body, const Vec3& p_W, const Vec3& n_W, double sign);
   Eigen::Quaterniond levelSoles() const;
   const double* coordinates() const { return tree_.q.data() + dynamics_.rootPositionCount(); }
   const double* rates() const { return tree_.u.data() + dynamics_.rootSpeedCount(); }
@@ -106,7 +105,7 @@ class RobotBody {
   TreeMatrix inertia_, system_, mobility_;
   bool inertia_known_ = false;  // of the present tree
   bool mobility_known_ = false;
-  Eigen::VectorXd bias_, external_, du_, push_, yielding_;
+  Eigen::VectorXd bias_, external_, du_;
   int solves_ = 0;
   const PhaseWatch* watch_ = nullptr;
 };

@@ -3,44 +3,52 @@
 #include <vector>
 
 #include "core/world_model.h"
+#include "sim/ball_body.h"
+#include "sim/collision_body.h"
+#include "sim/contact_solver.h"
 #include "sim/robot_body.h"
 
 namespace nao::sim {
 
-/// A ball as a point mass with a radius: it rolls without slipping, slowed by
-/// a = -rolling_deceleration * v, and does not spin against what it touches.
-struct BallState {
-  Vec3 p_W = Vec3::Zero();  // [m]
-  Vec3 v_W = Vec3::Zero();  // [m/s]
-  Mat3 R_W = Mat3::Identity();
-};
-
-/// Contact between robots, balls and obstacles: soft springs computed from the state at the start
-/// of the step, in a fixed order, and handed to each side as an external force. A robot touches
-/// with its contact spheres, and is touched on its collision shapes.
+/// Contact between all that moves: robots with each other and with themselves, balls with robots,
+/// balls, obstacles and the ground; found from the state at the start of the step, in a fixed
+/// order. Robots touch with the collision solids of their model. (A robot on the ground or on an
+/// obstacle is GroundContact's.)
 class Touching {
  public:
   explicit Touching(const WorldModel& world) : world_(world) {}
 
-  /// Clears all forces, then adds those of every pair. `on_robots` and `on_balls` are by index.
-  void calc(const std::vector<const RobotBody*>& robots, const std::vector<BallState>& balls,
-            std::vector<std::vector<ExternalForce>>& on_robots, std::vector<Vec3>& on_balls) const;
+  /// The next robot of the world; its model must outlive this.
+  void add(const RobotModel& model) { solids_.emplace_back(model); }
 
-  /// Lets the force `f_W` [N] and the ground act on a ball for `h` [s].
-  void stepBall(const Ball& model, const Vec3& f_W, double h, BallState& ball) const;
+  /// Moves the balls on by `h` [s] and says what pushes each robot meanwhile: `on_robots`, by
+  /// index, is cleared first.
+  void step(const std::vector<RobotBody*>& robots, std::vector<BallState>& balls, double h,
+            std::vector<std::vector<ExternalForce>>& on_robots);
+  /// Adds what pushed robots in the last step.
+  void report(ContactReport& report) const;
 
  private:
-  struct Sphere {  // something round that may touch a solid
-    Vec3 p_W, v_W;
-    double radius;
+  using Side = ContactSolver::Side;
+  struct Solid {  // one side of a possible contact
+    Side side;
+    const Shape& shape;
+    Pose X_WS;
+    const Material& material;
   };
-  static Vec3 forceOn(const Sphere& sphere, const Shape& shape, const Pose& X_WS,
-                      const Vec3& v_surface_W);
-  void touchRobot(const RobotBody& robot, const Sphere& sphere,
-                  std::vector<ExternalForce>& on_robot, Vec3& on_sphere) const;
-  Vec3 touchObstacles(const Sphere& sphere) const;
+  void findBetweenRobots(const std::vector<RobotBody*>& robots);
+  void findOfRobot(std::size_t r, const RobotBody& robot);
+  void findOfBall(std::size_t b, const std::vector<RobotBody*>& robots,
+                  const std::vector<BallState>& balls, double h);
+  void touchGround(std::size_t b, const BallState& ball, double margin);
+  void touch(const Solid& a, const Solid& b, double margin);
+  void handOut(std::vector<std::vector<ExternalForce>>& on_robots);
+  Solid solidOf(std::size_t r, std::size_t i, const RobotBody& robot) const;
 
   const WorldModel& world_;
+  std::vector<CollisionBody> solids_;  // by robot
+  ContactSolver solver_;
+  std::vector<bool> resting_;  // by ball, for the length of a step
 };
 
 }  // namespace nao::sim

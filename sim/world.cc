@@ -24,7 +24,9 @@ void checkStep(const std::vector<RobotSetup>& robots, Duration step, bool any_st
 
 std::vector<BallState> startBalls(const WorldModel& world) {
   std::vector<BallState> balls;
-  for (const Ball& ball : world.balls) balls.push_back({ball.p_W, Vec3::Zero(), Mat3::Identity()});
+  for (const Ball& ball : world.balls) {
+    balls.push_back(placedBall(ball, world, ball.p_W, Vec3::Zero()));
+  }
   return balls;
 }
 
@@ -50,21 +52,33 @@ class World::Impl {
       robots_.push_back(std::make_unique<WorldRobot>(setup, *model_, options));
       if (watch_) robots_.back()->setWatch(&watch_);
       bodies_.push_back(&robots_.back()->body());
+      touching_.add(bodies_.back()->model());
     }
   }
 
   void step() {
     if (!healthy_) return;
-    touching_.calc(bodies_, balls_, on_robots_, on_balls_);
+    touching_.step(bodies_, balls_, toSeconds(step_), on_robots_);
     if (watch_) watch_(Phase::Touching);
     for (std::size_t i = 0; i < robots_.size(); ++i) {
       robots_[i]->step(now_, step_, on_robots_[i]);
       healthy_ = healthy_ && robots_[i]->body().finite();
     }
-    for (std::size_t b = 0; b < balls_.size(); ++b) {
-      touching_.stepBall(model_->balls[b], on_balls_[b], toSeconds(step_), balls_[b]);
-    }
+    report();
     now_ += step_;
+  }
+
+  void report() {
+    report_.forces.clear();
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      const auto robot = static_cast<int>(i);
+      for (const auto& force : bodies_[i]->groundForces()) {
+        const BodyMotion& body = bodies_[i]->motion()[static_cast<std::size_t>(force.body)];
+        const Vec3 p_W = body.p_WB + body.R_WB * force.p_B;
+        report_.forces.push_back({robot, force.body, p_W, force.f_W});
+      }
+    }
+    touching_.report(report_);
   }
 
   SceneFrame scene() const {
@@ -82,6 +96,7 @@ class World::Impl {
   void reset() {
     for (const auto& robot : robots_) robot->reset();
     balls_ = startBalls(*model_);
+    report_.forces.clear();
     healthy_ = true;
   }
 
@@ -90,11 +105,8 @@ class World::Impl {
     archive.value(now_);
     archive.value(healthy_);
     for (const auto& robot : robots_) robot->archive(archive);
-    for (BallState& ball : balls_) {
-      archive.numbers(ball.p_W);
-      archive.numbers(ball.v_W);
-      archive.numbers(ball.R_W);
-    }
+    for (BallState& ball : balls_) ball.archive(archive);
+    report_.archive(archive);
   }
 
   std::shared_ptr<const WorldModel> model_;
@@ -103,10 +115,10 @@ class World::Impl {
   PhaseWatch watch_;  // robots share it
   Touching touching_;
   std::vector<std::unique_ptr<WorldRobot>> robots_;
-  std::vector<const RobotBody*> bodies_;
+  std::vector<RobotBody*> bodies_;
   std::vector<BallState> balls_;
   std::vector<std::vector<ExternalForce>> on_robots_;
-  std::vector<Vec3> on_balls_;
+  ContactReport report_;
   SimTime now_{};
   bool healthy_ = true;
 };
@@ -132,6 +144,7 @@ SensorFrame World::readSensors(std::size_t robot) {
   return impl_->robots_[robot]->readSensors(impl_->now_);
 }
 SceneFrame World::scene() const { return impl_->scene(); }
+const ContactReport& World::contacts() const { return impl_->report_; }
 bool World::healthy() const { return impl_->healthy_; }
 void World::push(std::size_t robot, const Vec3& force_W, Duration duration) {
   impl_->robots_.at(robot)->push(force_W, impl_->now_ + duration);
@@ -140,9 +153,8 @@ void World::placeRobot(std::size_t robot, const Pose2& pose, const JointArray<do
   impl_->robots_.at(robot)->place(pose, angles);
 }
 void World::placeBall(std::size_t ball, const Vec3& p_W, const Vec3& v_W) {
-  BallState& state = impl_->balls_.at(ball);
-  state = {p_W, v_W, Mat3::Identity()};
-  state.p_W.z() = std::max(p_W.z(), impl_->model_->balls[ball].radius);
+  const WorldModel& model = *impl_->model_;
+  impl_->balls_.at(ball) = placedBall(model.balls[ball], model, p_W, v_W);
 }
 void World::reset() { impl_->reset(); }
 std::map<std::string, double> World::draw() const {

@@ -11,6 +11,7 @@
 #include "core/scene_frame.h"
 #include "core/sim_time.h"
 #include "core/world_model.h"
+#include "sim/contact_report.h"
 #include "sim/mode.h"
 #include "sim/phase.h"
 
@@ -72,6 +73,9 @@ class World {
   /// Where everything really is.
   SceneFrame scene() const;
 
+  /// What pushed the robots in the last step.
+  const ContactReport& contacts() const;
+
   /// False once a number is no longer finite; step() then does nothing any more.
   bool healthy() const;
 
@@ -79,7 +83,8 @@ class World {
   void push(std::size_t robot, const Vec3& force_W, Duration duration);
   /// Puts a robot down at rest in its start posture, or in `angles`.
   void placeRobot(std::size_t robot, const Pose2& pose, const JointArray<double>* angles = nullptr);
-  /// Puts a ball there at rest; z below the radius is lifted onto the ground.
+  /// Puts a ball there; one that would be in the ground is lifted onto it, and one that lies on it
+  /// rolls as fast as it moves.
   void placeBall(std::size_t ball, const Vec3& p_W, const Vec3& v_W);
   /// Everything back to how the world began; time goes on.
   void reset();
