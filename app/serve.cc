@@ -29,6 +29,15 @@ void printReady(daemon::Daemon& daemon, const std::string& listen) {
   std::fflush(stdout);
 }
 
+// What the robots' files left open and how it was filled in: once, before anything moves.
+void printNotes(daemon::Daemon& daemon) {
+  for (std::size_t i = 0; i < daemon.robotCount(); ++i) {
+    for (const std::string& note : daemon.robotModel(i).notes) {
+      std::fprintf(stderr, "%s: %s\n", daemon.robotName(i).c_str(), note.c_str());
+    }
+  }
+}
+
 void serve(Arguments& arguments) {
   daemon::Options& options = arguments.options;
   for (const std::string& robot : arguments.robots) {
@@ -40,6 +49,7 @@ void serve(Arguments& arguments) {
 
   daemon::raiseDescriptorLimit();
   daemon::Daemon daemon(options);
+  printNotes(daemon);
   daemon.stopOnSignals();
   daemon.run([&] { printReady(daemon, options.listen); });
   const daemon::LoopState end = daemon.state();
@@ -53,10 +63,11 @@ void addServe(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
   daemon::Options& options = arguments->options;
   CLI::App* command = app.add_subcommand("serve", "Hosts robots until Ctrl-C.");
-  command->add_option("--robot", arguments->robots,
-                      "A robot of the folder robots/, as MODEL or NAME=MODEL. Repeat it for more\n"
-                      "robots: number i listens on port + i. Default: those of the world, else\n"
-                      "nao_h21_v33.");
+  command->add_option(
+      "--robot", arguments->robots,
+      "A robot of the folder robots/ or a FILE.urdf, as MODEL or NAME=MODEL. Repeat\n"
+      "it for more: number i listens on port + i. Default: those of the world, else\n"
+      "nao_h21_v33.");
   command->add_option("--world", options.world, "The world, a YAML file.")->capture_default_str();
   command->add_option("--listen", options.listen, "The address to listen on.")
       ->capture_default_str();
