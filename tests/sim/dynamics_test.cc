@@ -223,8 +223,13 @@ TEST(Friction, SticksBelowItsLimitAndSlidesAboveIt) {
     if (force < hold) {  // the anchors' springs give way by F / (4 k) = 69 um, and hold
       EXPECT_NEAR(body.tree().q[4], force / (4 * world->ground.tangential_stiffness), 1e-6);
       EXPECT_LT(std::abs(body.tree().u[3]), 1e-6);
-    } else {  // a = F/m - mu g, from the moment it lets go
-      EXPECT_NEAR(body.tree().u[3], force - hold, 0.02 * (force - hold));
+    } else {
+      // a = F/m - mu g from the moment it lets go. Until then the ground resists with less than mu
+      // g but at least with 4 d v, so it lets go at a speed of mu g / (4 d) at most: that is the
+      // most by which it may be ahead after 1 s, and it is never behind.
+      const double ahead = body.tree().u[3] - (force - hold);
+      EXPECT_GE(ahead, 0);
+      EXPECT_LE(ahead, hold / (4 * world->ground.tangential_damping));
     }
   }
 }
