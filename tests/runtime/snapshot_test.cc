@@ -257,6 +257,33 @@ TEST(Snapshot, ARequestOfAnotherCountIsNotTakenForOneOfTheSnapshot) {
   EXPECT_EQ(portsOf(second).state.get()->tasks.size(), 1u);  // the nods of the snapshot go on
 }
 
+// A mixed world with cycles of 10 and 12 ms, a ball on its way and a push under way.
+TEST(Snapshot, HoldsEveryRobotBallAndPush) {
+  Simulation simulation(
+      test::flatWorld(),
+      {{"a", test::robot("nao_h21_v33"), {}}, {"b", test::robot("nao_h25_v60"), {0, -0.8, 0}}},
+      2ms);
+  const auto both = [&](const motion::MotionRequest& request) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      ASSERT_TRUE(simulation.robot(i).ports()->requests.post(request));
+    }
+  };
+  both({1, motion::WakeUp{}});
+  simulation.advanceTo(SimTime(4000ms));
+  both({2, motion::MoveToward{0.5, 0, 0.5, {}}});
+  simulation.advanceTo(SimTime(5000ms));
+  simulation.apply(PlaceBall{0, Vec3(0.5, 0.2, 0.3), Vec3(-1, 0, 0)});
+  simulation.apply(PushRobot{0, Vec3(5, 0, 0), 300ms});
+  simulation.advanceTo(SimTime(5106ms));
+  const auto snapshot = simulation.snapshot();
+  const Course first = go(simulation, 2000ms);
+  const Vec3 ball = simulation.world().scene().balls[0].p_W;
+  simulation.restore(*snapshot);
+  EXPECT_GT((simulation.world().scene().balls[0].p_W - ball).norm(), 0.1);
+  expectSame(first, go(simulation, 2000ms));
+  EXPECT_EQ(simulation.world().scene().balls[0].p_W, ball);
+}
+
 TEST(Snapshot, IsNotChangedByWhatComesLater) {
   Simulation simulation = oneNao();
   kMoments[0].reach(simulation);
