@@ -24,10 +24,12 @@ void share(const std::array<Vec3, 4>& fsr, const Vec3& p, double force, FootForc
   foot.force[3] += force * (1 - front) * (1 - left_rear);
 }
 
-void finish(const std::array<Vec3, 4>& fsr, FootForces& foot) {
+}  // namespace
+
+void addUp(const std::array<Vec3, 4>& fsr, FootForces& foot) {
+  foot.total = foot.cop_x = foot.cop_y = 0;
   Vec3 moment = Vec3::Zero();
   for (std::size_t i = 0; i < 4; ++i) {
-    foot.force[i] = std::clamp(foot.force[i], 0.0, kRange);
     foot.total += foot.force[i];
     moment += foot.force[i] * fsr[i];
   }
@@ -35,8 +37,6 @@ void finish(const std::array<Vec3, 4>& fsr, FootForces& foot) {
   foot.cop_x = moment.x() / foot.total;
   foot.cop_y = moment.y() / foot.total;
 }
-
-}  // namespace
 
 std::array<FootForces, 2> calcFootForces(const RobotModel& model,
                                          const std::vector<BodyMotion>& motion,
@@ -49,7 +49,10 @@ std::array<FootForces, 2> calcFootForces(const RobotModel& model,
     share(foot.fsr, force.p_B, (R_WB.transpose() * force.f_W).z(),
           feet[static_cast<std::size_t>(force.foot)]);
   }
-  for (std::size_t i = 0; i < model.feet.size(); ++i) finish(model.feet[i].fsr, feet[i]);
+  for (std::size_t i = 0; i < model.feet.size(); ++i) {
+    for (double& force : feet[i].force) force = std::clamp(force, 0.0, kRange);
+    addUp(model.feet[i].fsr, feet[i]);
+  }
   return feet;
 }
 

@@ -14,4 +14,7 @@ std::array<FootForces, 2> calcFootForces(const RobotModel& model,
                                          const std::vector<BodyMotion>& motion,
                                          const std::vector<GroundContact::Force>& forces);
 
+/// Sum and centre of pressure of the four forces; `fsr` is where they are, in the ankle frame.
+void addUp(const std::array<Vec3, 4>& fsr, FootForces& foot);
+
 }  // namespace nao::sim

@@ -20,9 +20,12 @@ void Imu::sample(const std::vector<BodyMotion>& motion, Duration cycle, SensorFr
   state_.v_W = v_W;
   frame.accelerometer = body.R_WB.transpose() * (Vec3(0, 0, -gravity_) - a_W);
   frame.gyroscope = body.R_WB.transpose() * body.w_WB;
+}
+
+void Imu::fuse(Duration cycle, SensorFrame& frame) {
   if (!state_.started) state_.down_T = frame.accelerometer.normalized();
   state_.started = true;
-  fuse(frame, dt);
+  turn(frame, toSeconds(cycle));
   if (model_.gyro_axes < 3) frame.gyroscope.z() = 0;
   const Vec3& down = state_.down_T;
   frame.angle_x = std::atan2(-down.y(), -down.z());
@@ -37,7 +40,7 @@ void Imu::archive(Archive& archive) {
   archive.value(state_.yaw);
 }
 
-void Imu::fuse(const SensorFrame& frame, double dt) {
+void Imu::turn(const SensorFrame& frame, double dt) {
   Vec3& down = state_.down_T;
   state_.yaw = wrapAngle(state_.yaw - dt * down.dot(frame.gyroscope));
   down -= dt * frame.gyroscope.cross(down);

@@ -24,11 +24,15 @@ class Imu {
   State& state() { return state_; }
   const State& state() const { return state_; }
 
-  /// Fills in the inertial part of `frame`; `cycle` is the time since the sample before.
+  /// Fills in what accelerometer and gyroscope measure, on three axes; `cycle` is the time since
+  /// the sample before.
   void sample(const std::vector<BodyMotion>& motion, Duration cycle, SensorFrame& frame);
+  /// Then fills in the angles that the chest board makes of these two, and leaves the axes of the
+  /// gyroscope that this robot has.
+  void fuse(Duration cycle, SensorFrame& frame);
 
  private:
-  void fuse(const SensorFrame& frame, double dt);
+  void turn(const SensorFrame& frame, double dt);
 
   const RobotModel& model_;
   double gravity_;

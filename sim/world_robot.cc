@@ -59,7 +59,7 @@ WorldRobot::WorldRobot(const RobotSetup& setup, const WorldModel& world,
     : setup_(setup),
       effects_(makeEffects(setup, options)),
       body_(makePlan(setup, world, options, effects_), options.mode),
-      imu_(*setup.model, world.gravity) {
+      imu_(*setup.model, body_.plan().gravity) {
   reset();
 }
 
@@ -73,6 +73,7 @@ void WorldRobot::place(const Pose2& pose, const JointArray<double>* angles) {
   sent_.stiffness = JointArray<double>(sent_.angle.size(), 0.0);
   followed_ = sent_;
   body_.place(pose, sent_.angle);
+  effects_.restart();
   imu_.state() = {};
   push_ = {};
 }
@@ -123,6 +124,8 @@ SensorFrame WorldRobot::readSensors(SimTime now) {
   }
   ended(Phase::Encoders);
   imu_.sample(body_.motion(), model.cycle, frame);
+  effects_.alterImu(frame, model.cycle);
+  imu_.fuse(model.cycle, frame);
   ended(Phase::Imu);
   frame.feet = calcFootForces(model, body_.motion(), body_.groundForces());
   ended(Phase::FootForces);

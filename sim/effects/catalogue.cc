@@ -60,8 +60,17 @@ JointArray<bool> maskOf(const EffectSetting& setting, const RobotModel& model) {
 }  // namespace
 
 void DriveTerms::reset(std::size_t joints) {
-  resist_forward = resist_backward = viscous = disturbance = JointArray<double>(joints);
-  torque_part = speed_part = JointArray<double>(joints, 1);
+  if (resist_forward.size() != joints) {
+    for (JointArray<double>* term :
+         {&resist_forward, &resist_backward, &viscous, &disturbance, &torque_part, &speed_part}) {
+      *term = JointArray<double>(joints);
+    }
+  }
+  for (JointArray<double>* term : {&resist_forward, &resist_backward, &viscous, &disturbance}) {
+    std::fill(term->begin(), term->end(), 0.0);
+  }
+  std::fill(torque_part.begin(), torque_part.end(), 1.0);
+  std::fill(speed_part.begin(), speed_part.end(), 1.0);
 }
 
 void EffectCatalogue::add(EffectType type) {
@@ -84,13 +93,22 @@ EffectChain::EffectChain(const EffectCatalogue& catalogue,
         std::string(robot_name) + "/" + setting.name + "/" + std::to_string(effects_.size());
     const ParameterValues values = completeValues(type, setting);
     const JointArray<bool> joints = maskOf(setting, model);
-    effects_.push_back(type.make({values, joints, model, step, Random(seed, stream)}));
+    effects_.push_back(
+        type.make({values, joints, model, step, Random(seed, stream), !setting.joints.empty()}));
     names_.push_back(setting.name);
     Effect* const effect = effects_.back().get();
     if (includes(type.acts, Acts::OnCommand)) on_command_.push_back(effect);
     if (includes(type.acts, Acts::OnDrive)) on_drive_.push_back(effect);
+    if (includes(type.acts, Acts::OnImu)) on_imu_.push_back(effect);
     if (includes(type.acts, Acts::OnSensors)) on_sensors_.push_back(effect);
   }
+  Archive saving = Archive::saving(beginning_);
+  archive(saving);
+}
+
+void EffectChain::restart() {
+  Archive loading = Archive::loading(beginning_);
+  archive(loading);
 }
 
 void EffectChain::alterPlan(BodyPlan& plan) {
@@ -108,6 +126,10 @@ void EffectChain::alterCommand(JointCommand& command, SimTime now, double h) {
 void EffectChain::alterDrive(const DriveMoment& moment, DriveTerms& terms) {
   terms.reset(moment.angle.size());
   for (Effect* effect : on_drive_) effect->alterDrive(moment, terms);
+}
+
+void EffectChain::alterImu(SensorFrame& frame, Duration cycle) {
+  for (Effect* effect : on_imu_) effect->alterImu(frame, cycle);
 }
 
 void EffectChain::alterSensors(SensorFrame& frame, Duration cycle) {

@@ -33,6 +33,8 @@ class EffectChain {
               const RobotModel& model, Duration step, std::uint64_t seed,
               std::string_view robot_name);
 
+  /// Back to how the run began, random numbers included.
+  void restart();
   void alterPlan(BodyPlan& plan);
   void alterStart(Pose2& start);
   bool actsOnCommand() const { return !on_command_.empty(); }
@@ -40,6 +42,7 @@ class EffectChain {
   void alterCommand(JointCommand& command, SimTime now, double h);
   /// Resets `terms` to those of ideal drives, then lets every effect add its own.
   void alterDrive(const DriveMoment& moment, DriveTerms& terms);
+  void alterImu(SensorFrame& frame, Duration cycle);
   void alterSensors(SensorFrame& frame, Duration cycle);
   void archive(Archive& archive);
   std::map<std::string, double> draw() const;  // by "effect.name"
@@ -47,7 +50,8 @@ class EffectChain {
  private:
   std::vector<std::unique_ptr<Effect>> effects_;
   std::vector<std::string> names_;
-  std::vector<Effect*> on_command_, on_drive_, on_sensors_;
+  std::vector<unsigned char> beginning_;  // what archive() saved when all were made
+  std::vector<Effect*> on_command_, on_drive_, on_imu_, on_sensors_;
 };
 
 }  // namespace nao::sim

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <memory>
@@ -70,7 +71,10 @@ class Effect {
   virtual void alterCommand(JointCommand& /*command*/, SimTime /*now*/, double /*h*/) {}
   /// Every step: friction, limits and disturbances of the drives.
   virtual void alterDrive(const DriveMoment&, DriveTerms&) {}
-  /// Every `cycle` of the robot, after the sensors: noise, bias, delay.
+  /// Every `cycle` of the robot: what accelerometer and gyroscope measured, before the board fuses
+  /// them to angles. The rest of `frame` is not yet there.
+  virtual void alterImu(SensorFrame& /*frame*/, Duration /*cycle*/) {}
+  /// Every `cycle` of the robot, after all sensors: noise, bias, delay.
   virtual void alterSensors(SensorFrame& /*frame*/, Duration /*cycle*/) {}
 
   /// What changes with time: saved, restored and hashed.
@@ -80,7 +84,7 @@ class Effect {
 };
 
 /// Which of the calls an effect overrides every step or cycle: the others cost nothing.
-enum class Acts : unsigned { Once = 0, OnCommand = 1, OnDrive = 2, OnSensors = 4 };
+enum class Acts : unsigned { Once = 0, OnCommand = 1, OnDrive = 2, OnSensors = 4, OnImu = 8 };
 constexpr Acts operator|(Acts a, Acts b) {
   return static_cast<Acts>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
 }
@@ -95,8 +99,14 @@ struct EffectSetup {
   const RobotModel& model;         // nominal
   Duration step;                   // of the world
   Random random;                   // this effect's own stream
+  bool named = false;              // the file names the joints: else they are all
 
   double value(const char* name) const { return values.at(name); }
+  std::vector<std::size_t> acting() const;  // the joints it acts on
+  /// Those of them that have a hinge; hands have none.
+  std::vector<std::size_t> hinged() const;
+  /// The bodies that hang directly on these joints.
+  std::vector<std::size_t> bodies() const;
 };
 
 /// An effect as listed in the catalogue: name, explanation, parameters and how to make one.
@@ -107,5 +117,13 @@ struct EffectType {
   Acts acts = Acts::Once;
   std::function<std::unique_ptr<Effect>(const EffectSetup&)> make;
 };
+
+template <class T>
+std::unique_ptr<Effect> makeEffect(const EffectSetup& setup) {
+  return std::make_unique<T>(setup);
+}
+
+/// An effect that is a change of the plan and nothing else.
+std::unique_ptr<Effect> changePlan(std::function<void(BodyPlan&)> change);
 
 }  // namespace nao::sim

@@ -1,0 +1,20 @@
+// Part of the torque at every speed is missing: limit = part * nominal limit (a motor of lesser
+// current limit or a gear of lesser efficiency; from outside the same).
+#include "sim/effects/effect.h"
+
+namespace nao::sim {
+
+EffectType torqueLimit() {
+  return {
+      "torque_limit",
+      "The motor gives only a part of its torque.",
+      {{"part", "", 0.8, 1, 0, 3, 0.02}},
+      Acts::Once,
+      [](const EffectSetup& setup) {
+        return changePlan([joints = setup.hinged(), part = setup.value("part")](BodyPlan& plan) {
+          for (const std::size_t j : joints) plan.model.actuators[j].efficiency *= part;
+        });
+      }};
+}
+
+}  // namespace nao::sim
