@@ -259,8 +259,10 @@ TEST(Snapshot, ARequestOfAnotherCountIsNotTakenForOneOfTheSnapshot) {
 
 // A mixed world with cycles of 10 and 12 ms, a ball on its way and a push under way.
 TEST(Snapshot, HoldsEveryRobotBallAndPush) {
+  const auto world = test::flatWorld();
+  world->balls.emplace_back();
   Simulation simulation(
-      test::flatWorld(),
+      world,
       {{"a", test::robot("nao_h21_v33"), {}}, {"b", test::robot("nao_h25_v60"), {0, -0.8, 0}}},
       2ms);
   const auto both = [&](const motion::MotionRequest& request) {
