@@ -75,15 +75,15 @@ class Writer {
     const Actuator& motor = model_.actuators[index(c.joint)];
     const double share = 1.0 / static_cast<double>(motor.coordinates.size());
     out_ << "<joint name='" << c.name << "' axis='" << text(body.axis) << "' range='" << c.lower
-         << ' ' << c.upper << "' armature='" << share * motor.rotor_inertia << "' damping='"
-         << share * motor.kd << "'/>";
+         << ' ' << c.upper << "' armature='" << share * motor.rotor_inertia << "'/>";
   }
 
   // The plane is of contype 1. Points meet it alone, as ours do (conaffinity 1, contype 0); solids
   // meet each other (2, 2).
   void writePoint(const Vec3& p, double radius) {
+    // As stiff as ours: eight corners of 30 kN/m under a Nao answer within 5 ms.
     out_ << "<geom type='sphere' size='" << radius << "' pos='" << text(p)
-         << "' contype='0' conaffinity='1' mass='0' friction='0.7 0.005 0.0001'/>";
+         << "' contype='0' conaffinity='1' mass='0' solref='0.005 1' friction='0.7 0.005 0.0001'/>";
   }
 
   void writeSolid(const Shape& solid) {
@@ -103,7 +103,12 @@ class Writer {
         out_ << "cylinder' size='" << solid.size.x() << ' ' << half.z() << "'/>";
         return;
       case Shape::Kind::Capsule:
-        out_ << "capsule' size='" << solid.size.x() << ' ' << half.z() << "'/>";
+        // MuJoCo knows no capsule without length, which is a sphere.
+        if (half.z() < 1e-6) {
+          out_ << "sphere' size='" << solid.size.x() << "'/>";
+        } else {
+          out_ << "capsule' size='" << solid.size.x() << ' ' << half.z() << "'/>";
+        }
         return;
     }
   }
@@ -126,8 +131,11 @@ class Writer {
   void writeMotor(const Actuator& a) {
     if (a.coordinates.empty()) return;
     const double limit = a.efficiency * a.stall_torque;
-    out_ << "<position joint='" << nameOf(a.coordinates.front()) << "' kp='" << a.kp
-         << "' forcerange='" << -limit << ' ' << limit << "'/>";
+    // As in our drives the limit is on stiffness and damping together: the walk leads its commands
+    // by what the damping holds back.
+    out_ << "<general joint='" << nameOf(a.coordinates.front()) << "' gainprm='" << a.kp
+         << "' biastype='affine' biasprm='0 " << -a.kp << ' ' << -a.kd << "' forcerange='" << -limit
+         << ' ' << limit << "'/>";
   }
 
   const RobotModel& model_;

@@ -7,11 +7,12 @@
 
 namespace nao::bench {
 
-/// The same robot in MuJoCo, from the same RobotModel: same tree, masses, rotor inertias, gains,
+/// The same robot in MuJoCo, from the same RobotModel: same tree, masses, rotor inertias, drives,
 /// torque limits, stops, four corners per sole and body spheres on the same plane, and collision
 /// solids that meet each other but for the pairs that never do. For comparison.
 class MujocoNao {
  public:
+  /// `model` must outlive it.
   MujocoNao(const RobotModel& model, double step_s);
   ~MujocoNao();
 

@@ -5,7 +5,6 @@
 #include "bench/mujoco_nao.h"
 #include "runtime/simulation.h"
 #include "sim/world.h"
-#include "validation/process.h"
 #include "validation/walk_recording.h"
 
 namespace nao {
@@ -88,8 +87,6 @@ void walkingRobots(benchmark::State& state) {
 void walkingWithMotion(benchmark::State& state) {
   const auto robots = static_cast<int>(state.range(0));
   const auto nao = model();
-  walk();
-  const std::size_t before = validation::residentMemory();
   runtime::Simulation simulation(std::make_shared<WorldModel>(),
                                  validation::robotsInRows(nao, robots), kStep);
   for (std::size_t i = 0; i < simulation.robotCount(); ++i) {
@@ -103,8 +100,6 @@ void walkingWithMotion(benchmark::State& state) {
   }
   if (!validation::allStand(simulation.world())) state.SkipWithError("it fell");
   report(state, kCycles, robots);
-  state.counters["memory_mb"] =
-      static_cast<double>(validation::residentMemory() - before) * 1e-6 / robots;
 }
 
 void mujocoStanding(benchmark::State& state) {
@@ -119,7 +114,8 @@ void mujocoStanding(benchmark::State& state) {
 }
 
 void mujocoWalking(benchmark::State& state) {
-  bench::MujocoNao nao(*model(), toSeconds(kStep));
+  const auto robot = model();
+  bench::MujocoNao nao(*robot, toSeconds(kStep));
   nao.stand(walk().start);
   const bench::MujocoNao::State start = nao.state();
   double distance = 0;
