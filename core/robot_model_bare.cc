@@ -17,6 +17,8 @@
 //   root               bolted down if it is called `world` or has no mass
 //   inertia            the nearest that a solid can have, where the file's is none
 //   ground             met with the collision solids: spheres, and the corners and rims of others
+//   itself             touches itself with them, but not across one body: solids drawn for their
+//                      looks overlap around a joint of two hinges
 //   start              every joint at 0, or at the end of its range that is nearest to 0
 
 namespace nao {
@@ -140,6 +142,14 @@ void assumeContacts(RobotModel& model) {
       "meets the ground with its collision solids (spheres, corners, rims): no feet with sensors");
 }
 
+void assumeNeighbours(RobotModel& model) {
+  for (std::size_t i = 1; i < model.bodies.size(); ++i) {
+    const int beyond = model.bodies[static_cast<std::size_t>(model.bodies[i].parent)].parent;
+    if (beyond >= 0) forbidContact(beyond, static_cast<int>(i), model);
+  }
+  model.notes.push_back("bodies with one other body between them do not touch each other");
+}
+
 void assumePosture(RobotModel& model) {
   Posture zero{"Zero", "Zero", JointArray<double>(model.jointCount())};
   std::vector<std::string> moved;
@@ -164,6 +174,7 @@ void assumeBody(const UrdfRobot& urdf, RobotModel& model) {
   assumeMotors(urdf, model);
   addDefaultGroups(model);
   assumeContacts(model);
+  assumeNeighbours(model);
   assumePosture(model);
 }
 

@@ -5,17 +5,17 @@
 namespace nao {
 namespace {
 
-void forbid(int a, int b, RobotModel& model) {
-  const std::pair<int, int> pair = std::minmax(a, b);
-  const auto at = std::lower_bound(model.no_collision.begin(), model.no_collision.end(), pair);
-  if (at == model.no_collision.end() || *at != pair) model.no_collision.insert(at, pair);
-}
-
 std::string nameOf(int body, const RobotModel& model) {
   return model.bodies[static_cast<std::size_t>(body)].name;
 }
 
 }  // namespace
+
+void forbidContact(int a, int b, RobotModel& model) {
+  const std::pair<int, int> pair = std::minmax(a, b);
+  const auto at = std::lower_bound(model.no_collision.begin(), model.no_collision.end(), pair);
+  if (at == model.no_collision.end() || *at != pair) model.no_collision.insert(at, pair);
+}
 
 void readNoCollision(Config& body, RobotModel& model) {
   if (!body.has("no_collision")) return;
@@ -25,7 +25,7 @@ void readNoCollision(Config& body, RobotModel& model) {
     if (!first || !second || first == second) {
       body.reject("no_collision", "pairs of links of model.urdf, [" + a + ", " + b + "] is none");
     }
-    forbid(*first, *second, model);
+    forbidContact(*first, *second, model);
   }
 }
 
@@ -33,7 +33,7 @@ void finishCollisions(const UrdfRobot& urdf, RobotModel& model) {
   std::string meshes_alone;
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
     const Body& body = model.bodies[i];
-    if (body.parent >= 0) forbid(body.parent, static_cast<int>(i), model);
+    if (body.parent >= 0) forbidContact(body.parent, static_cast<int>(i), model);
     if (!urdf.has_mesh[i] || !body.collisions.empty()) continue;
     meshes_alone += (meshes_alone.empty() ? "" : ", ") + nameOf(static_cast<int>(i), model);
   }

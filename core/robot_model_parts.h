@@ -30,6 +30,9 @@ void readBody(const ConfigNode& file, const UrdfRobot& urdf, RobotModel& model);
 /// about the link's origin, as NAOqi's tables have it, or `inertia_at_com`. Axes of the link.
 void readSolids(Config& body, RobotModel& model);
 
+/// Lets two bodies never touch each other.
+void forbidContact(int a, int b, RobotModel& model);
+
 /// The `no_collision` of body.yaml: `[[link, link], ...]`.
 void readNoCollision(Config& body, RobotModel& model);
 

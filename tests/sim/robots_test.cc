@@ -3,8 +3,11 @@
 #include <cmath>
 #include <filesystem>
 
+#include "sim/collision_body.h"
+#include "sim/shape_gap.h"
 #include "sim/world.h"
 #include "tests/support/models.h"
+#include "tests/support/shape_gap.h"
 
 // Every robot of this project, and some of others, in the world.
 namespace nao::sim {
@@ -32,6 +35,28 @@ void hold(World& world, const JointCommand& command, Duration duration) {
 }
 
 Vec3 root(const World& world) { return world.scene().robots[0].X_WB[0].translation(); }
+
+// The collision solids as they touch here, beside tests/core/robot_collision_test.cc.
+TEST(EveryRobot, TouchesItselfInNoPosture) {
+  for (const char* name : {"nao_h21_v33", "nao_h21_v40", "nao_h25_v33", "nao_h25_v40",
+                           "nao_h25_v50", "nao_h25_v60", "spider", "arm"}) {
+    const auto model = test::robot(name);
+    for (const Posture& posture : model->postures) {
+      const auto X_RB = test::bodyPoses(*model, posture.angle);
+      const CollisionBody solids(*model);
+      for (const CollisionBody::Pair& pair : solids.pairs()) {
+        const auto& a = solids.solid(static_cast<std::size_t>(pair.a));
+        const auto& b = solids.solid(static_cast<std::size_t>(pair.b));
+        const Pose X_RA = X_RB[static_cast<std::size_t>(a.body)] * a.shape.X_BS;
+        const Pose X_RBb = X_RB[static_cast<std::size_t>(b.body)] * b.shape.X_BS;
+        EXPECT_GT(calcShapeGap(a.shape, X_RA, b.shape, X_RBb).distance, 0.0005)
+            << name << " " << posture.name << ": "
+            << model->bodies[static_cast<std::size_t>(a.body)].name << " and "
+            << model->bodies[static_cast<std::size_t>(b.body)].name;
+      }
+    }
+  }
+}
 
 struct Stance {
   const char* robot;
