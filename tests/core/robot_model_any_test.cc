@@ -122,6 +122,61 @@ TEST_F(ArmTest, TurnsEndlesslyWhereTheUrdfSaysContinuous) {
   EXPECT_EQ(model_->bodies[1].axis, Vec3::UnitZ());  // made a unit vector
 }
 
+TEST_F(ArmTest, AHingeWithoutADriveTurnsFreelyWhenTheFileSaysSo) {
+  std::string body = kArmBody;
+  body.replace(body.find("name: spin, drive: any"), 22, "name: spin, drive: none");
+  folder_.write("arm/body.yaml", body);
+  const auto model = loadRobotModel(folder_.path(), "arm");
+  ASSERT_EQ(model->jointCount(), 2u);
+  EXPECT_EQ(model->actuators[1].stall_torque, 0);
+  EXPECT_EQ(model->actuators[1].kp, 0);
+  EXPECT_EQ(model->actuators[1].rotor_inertia, 0);
+}
+
+TEST_F(ArmTest, BoardsAndSwitchesOfLimitsAreRead) {
+  folder_.write("arm/body.yaml", kArmBody + R"(
+boards: {Both: [spin, turn]}
+coupled_limits:
+  - {driver: turn, limited: spin, stop: false, rows: [[0, -1, 1]]}
+  - {driver: spin, limited: turn, clip: false, rows: [[0, -1, 1]]}
+)");
+  const auto model = loadRobotModel(folder_.path(), "arm");
+  EXPECT_EQ(model->actuators[0].board, 0);
+  EXPECT_EQ(model->actuators[1].board, 0);
+  EXPECT_FALSE(model->coupled_limits[0].stop);
+  EXPECT_TRUE(model->coupled_limits[0].clip);
+  EXPECT_TRUE(model->coupled_limits[1].stop);
+  EXPECT_FALSE(model->coupled_limits[1].clip);
+}
+
+std::string complaintAbout(const TemporaryFolder& folder, const std::string& body) {
+  folder.write("arm/body.yaml", body);
+  try {
+    loadRobotModel(folder.path(), "arm");
+  } catch (const InputError& error) {
+    return folder.withoutPath(error.what());
+  }
+  return "none";
+}
+
+TEST_F(ArmTest, PairsBoardsAndSonarAreChecked) {
+  const std::string at = "arm/body.yaml:15: ";
+  EXPECT_EQ(complaintAbout(folder_, kArmBody + "no_collision: [[upper, lower]]\n"),
+            at + "`no_collision`: expected pairs of links of model.urdf, [upper, lower] is none, "
+                 "found a list");
+  EXPECT_EQ(complaintAbout(folder_, kArmBody + "no_collision: [[upper]]\n"),
+            at + "`no_collision`: expected pairs of words, found 1");
+  EXPECT_EQ(
+      complaintAbout(folder_, kArmBody + "boards: {A: [turn], B: [turn]}\n"),
+      at + "`B`: expected names of actuators, each on one board, 'turn' is not, found a list");
+  EXPECT_EQ(complaintAbout(folder_, kArmBody + "sonar: {min: 1, max: 0.5, cone_deg: 60, "
+                                               "transmitters: [], receivers: []}\n"),
+            at + "`max`: expected more than `min`, found '0.5'");
+  EXPECT_EQ(complaintAbout(folder_, kArmBody + "sonar: {min: 0, max: 1, cone_deg: 60, "
+                                               "transmitters: [ear], receivers: []}\n"),
+            at + "`transmitters`: expected names of `frames`, 'ear' is not, found a list");
+}
+
 TEST_F(ArmTest, OnlyABoltedBaseMayBeWithoutMass) {
   std::string body = kArmBody;
   body.replace(body.find("true"), 4, "false");

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace nao {
@@ -289,13 +290,92 @@ TEST(RobotModel, CamerasSeeWhatTheirHeadVersionSees) {
   EXPECT_EQ(v33->cameras[0].frame_rates, (std::vector<int>{5, 10, 15, 30}));
   EXPECT_EQ(v50->cameras[0].frame_rates.size(), 30u);
   EXPECT_EQ(v50->cameras[0].max_width, 1280);
+  const auto v60 = load("nao_h25_v60");
+  EXPECT_NEAR(v60->cameras[0].hfov, 56.3 * M_PI / 180, 1e-12);
+  EXPECT_EQ(v60->cameras[0].max_width, 2560);
+  EXPECT_EQ(v60->cameras[1].max_width, 1280);
+  EXPECT_EQ(load("nao_h25_v33")->cameras[0].hfov, v33->cameras[0].hfov);
+  EXPECT_EQ(load("nao_h25_v40")->cameras[0].hfov, v50->cameras[0].hfov);
+  EXPECT_EQ(load("nao_h21_v40")->cameras[0].hfov, v50->cameras[0].hfov);
   const Vec3 sight = v33->cameras[1].X_BC.linear() * Vec3::UnitX();
   EXPECT_NEAR(std::asin(-sight.z()), 40 * M_PI / 180, 1e-4);  // the bottom one looks down
 }
 
 TEST(RobotModel, GyroscopesHaveTheAxesOfTheirVersion) {
-  EXPECT_EQ(load("nao_h21_v33")->gyro_axes, 2);
+  for (const char* old : {"nao_h21_v33", "nao_h21_v40", "nao_h25_v33", "nao_h25_v40"}) {
+    EXPECT_EQ(load(old)->gyro_axes, 2) << old;
+  }
   EXPECT_EQ(load("nao_h25_v50")->gyro_axes, 3);
+  EXPECT_EQ(load("nao_h25_v60")->gyro_axes, 3);
+}
+
+TEST(RobotModel, SonarsReachAsFarAsTheirVersion) {
+  const auto range = [](const char* name) {
+    const SonarModel sonar = load(name)->sonar;
+    return std::pair(sonar.min_range, sonar.max_range);
+  };
+  for (const char* old : {"nao_h21_v33", "nao_h21_v40", "nao_h25_v33", "nao_h25_v40"}) {
+    EXPECT_EQ(range(old), std::pair(0.25, 2.55)) << old;
+  }
+  EXPECT_EQ(range("nao_h25_v50"), std::pair(0.2, 0.8));
+  EXPECT_EQ(range("nao_h25_v60"), std::pair(0.2, 0.8));
+}
+
+TEST_P(EveryNao, HasTwoTransmittersAndTwoReceiversOfSixtyDegrees) {
+  const SonarModel& sonar = model_->sonar;
+  EXPECT_NEAR(sonar.half_cone, M_PI / 6, 1e-12);
+  ASSERT_EQ(sonar.transmitters.size(), 2u);
+  ASSERT_EQ(sonar.receivers.size(), 2u);
+  for (const int i : sonar.receivers) {
+    const Frame& frame = model_->frames.at(static_cast<std::size_t>(i));
+    const bool left = i == sonar.receivers[0];
+    EXPECT_EQ(frame.name, left ? "Sonar/Left" : "Sonar/Right");
+    EXPECT_EQ(frame.body, 0);
+    const Vec3 sight = frame.X_BF.linear() * Vec3::UnitX();
+    EXPECT_GT(sight.x(), 0.9);
+    EXPECT_GT(left ? sight.y() : -sight.y(), 0.3);  // outwards, by 22.5 degrees
+  }
+}
+
+TEST_P(EveryNao, NeighboursShareABoard) {
+  const auto board = [&](const char* name) { return actuator(*model_, name).board; };
+  EXPECT_EQ(board("HeadYaw"), board("HeadPitch"));
+  EXPECT_EQ(board("LHipPitch"), board("LKneePitch"));
+  EXPECT_NE(board("LHipPitch"), board("RHipPitch"));
+  std::map<int, int> motors;
+  for (const Actuator& motor : model_->actuators) ++motors[motor.board];
+  EXPECT_EQ(motors.count(-1), 0u);  // every motor has one
+  for (const auto& [number, count] : motors) EXPECT_LE(count, 2) << number;
+}
+
+TEST(RobotModel, MotorsAreThoseOfTheirVersion) {
+  const auto knee = [](const char* name) { return actuator(*load(name), "LKneePitch"); };
+  EXPECT_NEAR(knee("nao_h25_v33").stall_torque, 7.786, 5e-4);
+  EXPECT_NEAR(knee("nao_h21_v40").stall_torque, 8.898, 5e-4);
+  EXPECT_NEAR(knee("nao_h25_v40").no_load_speed, 6.6425, 5e-5);
+  EXPECT_NEAR(knee("nao_h25_v60").stall_torque, 8.505, 5e-4);
+  EXPECT_NEAR(knee("nao_h25_v60").no_load_speed, 6.9626, 5e-5);
+  const auto v60 = load("nao_h25_v60");
+  EXPECT_NEAR(actuator(*v60, "LShoulderPitch").stall_torque, 3.366, 5e-4);  // DCX 16S
+  EXPECT_NEAR(actuator(*v60, "RWristYaw").stall_torque, 0.476, 5e-4);
+  EXPECT_NEAR(actuator(*load("nao_h25_v33"), "LHand").stall_torque, 0.547, 5e-4);
+}
+
+TEST(RobotModel, OnlyTheV6ExchangesEveryTwelveMilliseconds) {
+  EXPECT_EQ(load("nao_h25_v60")->cycle, std::chrono::milliseconds(12));
+  EXPECT_EQ(load("nao_h25_v50")->cycle, std::chrono::milliseconds(10));
+}
+
+TEST(RobotModel, TheIdealOneDiffersInItsEffectsAlone) {
+  const auto real = load("nao_h21_v33");
+  const auto ideal = load("nao_h21_v33_ideal");
+  EXPECT_FALSE(real->effects.empty());
+  EXPECT_TRUE(ideal->effects.empty());
+  EXPECT_TRUE(ideal->variation.empty());
+  EXPECT_EQ(ideal->totalMass(), real->totalMass());
+  EXPECT_EQ(ideal->groups, real->groups);
+  EXPECT_EQ(ideal->no_collision, real->no_collision);
+  EXPECT_EQ(ideal->postures.size(), real->postures.size());
 }
 
 TEST_P(EveryNao, NamesAreUnique) {
