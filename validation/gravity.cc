@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "sim/effects/catalogue.h"
 #include "validation/block.h"
 #include "validation/experiment.h"
 
@@ -57,40 +56,16 @@ double exactDistance(const Setting& s, Duration time) {
   return s.gravity / s.damping * (t + std::expm1(-x) / s.damping);
 }
 
-// a = -c v, constant and so part of the plan.
-class LinearDamping final : public sim::Effect {
- public:
-  explicit LinearDamping(double rate) : rate_(rate) {}
-  void alterPlan(sim::BodyPlan& plan) override { plan.linear_damping = rate_; }
-
- private:
-  double rate_;
-};
-sim::EffectCatalogue withLinearDamping() {
-  sim::EffectType type;
-  type.name = "linear_damping";
-  type.summary = "Slows every body by a = -c v.";
-  type.parameters = {{"rate", "1/s", 0.1, 0, 0, 10, 0.01}};
-  type.make = [](const sim::EffectSetup& setup) {
-    return std::make_unique<LinearDamping>(setup.value("rate"));
-  };
-  sim::EffectCatalogue catalogue;
-  catalogue.add(std::move(type));
-  return catalogue;
-}
-
 struct Fall {
   Distances measured{};  // [m]
   std::uint64_t hash = 0;
 };
 
 Fall dropBlock(const Setting& setting, const Method& method) {
-  static const sim::EffectCatalogue effects = withLinearDamping();
   auto world = std::make_shared<WorldModel>();
   world->gravity = setting.gravity;
   sim::WorldOptions options(method.step);
   options.mode = method.mode;
-  options.effects = &effects;
   sim::World sim(world, {{"block", fallingBlock(setting.damping), {}}}, options);
   const auto height = [&] { return sim.scene().robots[0].X_WB[0].translation().z(); };
   const double start = height();

@@ -87,32 +87,25 @@ Picture plot(const std::vector<std::pair<std::string, Standing>>& all) {
   return {"Standing still", {drift, tilt}, 1, 900, 700};
 }
 
-Outcome run(const ExperimentSettings& settings) {
-  std::vector<std::pair<std::string, Standing>> all;
-  std::vector<std::string> robots{settings.robot};
-  const std::string ideal = "_ideal";  // its documented twin stands beside it
-  if (settings.robot.size() > ideal.size() &&
-      settings.robot.compare(settings.robot.size() - ideal.size(), ideal.size(), ideal) == 0) {
-    robots.push_back(settings.robot.substr(0, settings.robot.size() - ideal.size()));
-  }
-  for (const std::string& robot : robots) all.emplace_back(robot, Stand(settings, robot).found());
+// The robot asked for and, beside an ideal one, its documented twin.
+std::vector<std::string> robotsToStand(const std::string& robot) {
+  const std::string ideal = "_ideal";
+  if (robot.size() <= ideal.size()) return {robot};
+  const std::size_t at = robot.size() - ideal.size();
+  if (robot.compare(at, ideal.size(), ideal) != 0) return {robot};
+  return {robot, robot.substr(0, at)};
+}
 
-  Outcome outcome;
-  Report& report = outcome.report;
-  report = startReport("stand", settings);
-  const Standing& first = all.front().second;
-  report.draw = first.draw;
-  report.figures = {{"drift_m", first.drift_m},
-                    {"tilt_change_deg", first.tilt_change_deg},
-                    {"penetration_max_m", first.penetration_m},
-                    {"duration_s", toSeconds(settings.duration)}};
-  TextTable table{"Standing in StandInit for " + fixed(toSeconds(settings.duration), 0) +
-                      " s: the largest change since t = 1 s",
-                  {"robot", "drift [mm]", "tilt [deg]", "penetration [mm]"},
-                  {}};
+void fillReport(const ExperimentSettings& settings,
+                const std::vector<std::pair<std::string, Standing>>& all, Report& report) {
+  TextTable table;
+  table.title = "Standing in StandInit for " + fixed(toSeconds(settings.duration), 0) +
+                " s: the largest change since t = 1 s";
+  table.head = {"robot", "drift [mm]", "tilt [deg]", "penetration [mm]"};
   std::vector<Row> rows;
   for (const auto& [robot, s] : all) {
     report.hash = combineHash(report.hash, s.hash);
+    for (const auto& [name, value] : s.draw) report.draw[robot + "." + name] = value;
     rows.push_back({{"robot", robot},
                     {"drift_m", s.drift_m},
                     {"tilt_change_deg", s.tilt_change_deg},
@@ -120,8 +113,23 @@ Outcome run(const ExperimentSettings& settings) {
     table.lines.push_back({robot, fixed(s.drift_m * 1e3, 4), fixed(s.tilt_change_deg, 4),
                            fixed(s.penetration_m * 1e3, 3)});
   }
-  report.figures.push_back({"rows", std::move(rows)});
+  const Standing& first = all.front().second;
+  report.figures = {{"drift_m", first.drift_m},
+                    {"tilt_change_deg", first.tilt_change_deg},
+                    {"penetration_max_m", first.penetration_m},
+                    {"duration_s", toSeconds(settings.duration)},
+                    {"rows", std::move(rows)}};
   report.tables.push_back(std::move(table));
+}
+
+Outcome run(const ExperimentSettings& settings) {
+  std::vector<std::pair<std::string, Standing>> all;
+  for (const std::string& robot : robotsToStand(settings.robot)) {
+    all.emplace_back(robot, Stand(settings, robot).found());
+  }
+  Outcome outcome;
+  outcome.report = startReport("stand", settings);
+  fillReport(settings, all, outcome.report);
   outcome.picture = plot(all);
   return outcome;
 }

@@ -130,42 +130,38 @@ Picture plot(const std::vector<Summary>& all, int runs) {
   return {"Random commands over the full range", {depth, speed}, 1, 900, 700};
 }
 
-Outcome run(const ExperimentSettings& settings) {
-  const auto model = loadRobot(settings);
-  std::vector<Summary> all;
-  for (const Duration step : {1ms, 2ms, 5ms}) {
-    Summary summary;
-    summary.step = step;
-    for (int i = 0; i < settings.runs; ++i) summary.add(Thrash(settings, model, step, i).found());
-    all.push_back(std::move(summary));
-  }
+Row toRow(const Summary& s) {
+  return {{"step_s", toSeconds(s.step)},
+          {"blowups", static_cast<double>(s.blowups)},
+          {"falls", static_cast<double>(s.falls)},
+          {"speed_max_m_per_s", calcStatistics(s.speed).max},
+          {"energy_max_J", calcStatistics(s.energy).max},
+          {"penetration_max_m", calcStatistics(s.penetration).max}};
+}
 
-  Outcome outcome;
-  Report& report = outcome.report;
-  report = startReport("thrash", settings);
+std::vector<std::string> toLine(const Summary& s) {
+  return {fixed(toSeconds(s.step) * 1e3, 0),
+          std::to_string(s.blowups),
+          std::to_string(s.falls),
+          fixed(calcStatistics(s.speed).max, 2),
+          fixed(calcStatistics(s.energy).max, 1),
+          fixed(calcStatistics(s.penetration).max * 1e3, 1)};
+}
+
+void fillReport(const ExperimentSettings& settings, const std::vector<Summary>& all,
+                Report& report) {
   double blowups = 0;
   std::vector<Row> rows;
-  TextTable table{std::to_string(settings.runs) + " runs of " +
-                      fixed(toSeconds(settings.duration), 0) +
-                      " s, random commands over the full range",
-                  {"step [ms]", "blow-ups", "falls", "speed max [m/s]", "energy max [J]",
-                   "penetration max [mm]"},
-                  {}};
-  for (const Summary& s : all) {
-    const double speed = calcStatistics(s.speed).max;
-    const double energy = calcStatistics(s.energy).max;
-    const double depth = calcStatistics(s.penetration).max;
-    blowups += s.blowups;
-    report.hash = combineHash(report.hash, s.hash);
-    rows.push_back({{"step_s", toSeconds(s.step)},
-                    {"blowups", static_cast<double>(s.blowups)},
-                    {"falls", static_cast<double>(s.falls)},
-                    {"speed_max_m_per_s", speed},
-                    {"energy_max_J", energy},
-                    {"penetration_max_m", depth}});
-    table.lines.push_back({fixed(toSeconds(s.step) * 1e3, 0), std::to_string(s.blowups),
-                           std::to_string(s.falls), fixed(speed, 2), fixed(energy, 1),
-                           fixed(depth * 1e3, 1)});
+  TextTable table;
+  table.title = std::to_string(settings.runs) + " runs of " +
+                fixed(toSeconds(settings.duration), 0) + " s, random commands over the full range";
+  table.head = {"step [ms]",       "blow-ups",       "falls",
+                "speed max [m/s]", "energy max [J]", "penetration max [mm]"};
+  for (const Summary& summary : all) {
+    blowups += summary.blowups;
+    report.hash = combineHash(report.hash, summary.hash);
+    rows.push_back(toRow(summary));
+    table.lines.push_back(toLine(summary));
   }
   report.figures = {{"blowups", blowups},
                     {"runs", static_cast<double>(settings.runs)},
@@ -175,6 +171,20 @@ Outcome run(const ExperimentSettings& settings) {
   report.remarks.push_back("Blown up: not finite, or beyond " + fixed(kSpeedBound, 0) + " m/s, " +
                            fixed(kEnergyBound, 0) + " J or " + fixed(kPenetrationBound * 1e3, 0) +
                            " mm in the ground.");
+}
+
+Outcome run(const ExperimentSettings& settings) {
+  const auto model = loadRobot(settings);
+  std::vector<Summary> all;
+  for (const Duration step : {1ms, 2ms, 5ms}) {
+    Summary summary;
+    summary.step = step;
+    for (int i = 0; i < settings.runs; ++i) summary.add(Thrash(settings, model, step, i).found());
+    all.push_back(std::move(summary));
+  }
+  Outcome outcome;
+  outcome.report = startReport("thrash", settings);
+  fillReport(settings, all, outcome.report);
   outcome.picture = plot(all, settings.runs);
   return outcome;
 }
