@@ -161,17 +161,18 @@ class Checker {
     }
   }
 
-  // Sizes are above zero, masses not below it.
+  // Sizes are above zero; masses, efforts and velocities not below it.
   void checkSign(const TiXmlElement& element, const TiXmlAttribute& a, bool is_mass) const {
-    const bool is_size =
-        a.NameTStr() == "radius" || a.NameTStr() == "length" || a.NameTStr() == "size";
-    if (!is_mass && !is_size) return;
+    const std::string name = a.NameTStr();
+    const bool is_size = name == "radius" || name == "length" || name == "size";
+    const bool is_limit = element.ValueStr() == "limit" && (name == "effort" || name == "velocity");
+    if (!is_mass && !is_size && !is_limit) return;
     std::istringstream words(a.ValueStr());
     for (std::string word; words >> word;) {
       const auto number = parseNumber(word);
-      if (!number || *number > 0 || (is_mass && *number == 0)) continue;
-      fail(element.Row(), "`" + a.NameTStr() + "` of <" + element.ValueStr() + ">: expected " +
-                              (is_mass ? "no mass below 0" : "sizes above 0") + ", found '" +
+      if (!number || *number > 0 || (!is_size && *number == 0)) continue;
+      fail(element.Row(), "`" + name + "` of <" + element.ValueStr() + ">: expected " +
+                              (is_size ? "sizes above 0" : "a number from 0 up") + ", found '" +
                               a.ValueStr() + "'");
     }
   }

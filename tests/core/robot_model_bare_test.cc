@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "core/check.h"
+#include "core/random.h"
 #include "core/robot_model.h"
 #include "tests/core/temporary_folder.h"
 
@@ -168,7 +171,10 @@ TEST_F(BareUrdf, WhatCanNotBeSimulatedIsRefusedWithItsLine) {
             "thing.urdf:3: link 'arm': a body that moves needs an <inertial> with a mass above 0");
   EXPECT_EQ(complaintAbout("<link name='a'><inertial><mass value='-1'/>" + std::string(kInertia) +
                            "</link>\n"),
-            "thing.urdf:2: `value` of <mass>: expected no mass below 0, found '-1'");
+            "thing.urdf:2: `value` of <mass>: expected a number from 0 up, found '-1'");
+  EXPECT_EQ(complaintAbout(
+                two + hinge("j", "trunk", "arm", "lower='0' upper='1' effort='-2' velocity='1'")),
+            "thing.urdf:4: `effort` of <limit>: expected a number from 0 up, found '-2'");
   EXPECT_EQ(complaintAbout(link("a", solid("<sphere radius='0'/>"))),
             "thing.urdf:2: `radius` of <sphere>: expected sizes above 0, found '0'");
   EXPECT_EQ(complaintAbout("<link/>\n"), "thing.urdf:2: `name`: missing in <link>");
@@ -180,6 +186,33 @@ TEST_F(BareUrdf, TreesWithNoneOrTwoRootsAreRefused) {
   EXPECT_EQ(complaintAbout(link("a") + link("b") + hinge("ab", "a", "b") + hinge("ba", "b", "a"))
                 .rfind("thing.urdf:1: not a robot tree: ", 0),
             0u);
+}
+
+// Whatever is missing or garbled, the file loads or is refused in a sentence; nothing else.
+TEST_F(BareUrdf, DamagedAnywhereItIsARobotOrASentence) {
+  std::ifstream stream(NAO_SOURCE_DIR "/robots/spider/model.urdf");
+  const std::string whole((std::istreambuf_iterator<char>(stream)), {});
+  const auto check = [&](const std::string& text) {
+    const std::string file = folder_.write("damaged.urdf", text);
+    try {
+      EXPECT_GT(loadRobotModel("", file)->bodies.size(), 0u);
+    } catch (const InputError& error) {
+      EXPECT_EQ(folder_.withoutPath(error.what()).rfind("damaged.urdf:", 0), 0u) << error.what();
+    }
+  };
+  for (std::size_t from = 0; from < whole.size(); from = whole.find('\n', from) + 1) {
+    check(whole.substr(0, from) + whole.substr(whole.find('\n', from) + 1));  // a line left out
+    if (whole.find('\n', from) == std::string::npos) break;
+  }
+  Random random(3);
+  for (int i = 0; i < 300; ++i) {
+    std::string text = whole;
+    for (int k = 0; k < 3; ++k) {
+      const auto at = static_cast<std::size_t>(random.uniform(0, static_cast<double>(text.size())));
+      text[at] = "0<\"/ -x9"[static_cast<std::size_t>(random.uniform(0, 8))];
+    }
+    check(text);
+  }
 }
 
 TEST_F(BareUrdf, AFileThatIsNotThereIsNamed) {
