@@ -20,6 +20,7 @@ struct BodyPlan {
         gravity(world.gravity),
         ground(world.ground),
         ground_normal(world.ground_normal),
+        obstacles(world.obstacles),
         transmissions(nominal.jointCount()),
         servo_deadband(nominal.jointCount()),
         joint_zero(nominal.jointCount()) {}
@@ -28,6 +29,7 @@ struct BodyPlan {
   double gravity;      // [m/s^2] along -z of W
   Material ground;     // as this robot feels it
   Vec3 ground_normal;  // of the plane through W's origin
+  std::vector<Obstacle> obstacles;
   JointArray<Transmission> transmissions;
   JointArray<double> servo_deadband;  // [rad] errors up to this move nothing
   JointArray<double> joint_zero;      // [rad] where the joint is when its encoder says 0

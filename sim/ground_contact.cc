@@ -4,11 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace nao::sim {
 namespace {
-
-constexpr double kSlowSliding = 0.02;  // [m/s] free choice: a Nao's feet stick or slide faster
 
 // The corners of a sole's outline: its farthest points along the four diagonals.
 std::array<Eigen::Vector2d, 4> cornersOf(const std::vector<Eigen::Vector2d>& outline) {
@@ -22,17 +21,41 @@ std::array<Eigen::Vector2d, 4> cornersOf(const std::vector<Eigen::Vector2d>& out
   return corners;
 }
 
+// How far [m] a point of a body may be from the root's origin.
+double reachOf(const RobotModel& model, int body, const Vec3& p_B) {
+  double reach = p_B.norm();
+  for (int b = body; b > 0; b = model.bodies[static_cast<std::size_t>(b)].parent) {
+    reach += model.bodies[static_cast<std::size_t>(b)].X_PB.translation().norm();
+  }
+  return reach;
+}
+
+// Axes along and across a surface, along those of W on level ground.
+Mat3 frameOn(const Vec3& n_W) {
+  Mat3 R;
+  const Vec3 side = std::abs(n_W.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitY();
+  R.col(0) = (side - n_W.dot(side) * n_W).normalized();
+  R.col(1) = n_W.cross(R.col(0));
+  R.col(2) = n_W;
+  return R;
+}
+
 }  // namespace
 
-GroundContact::GroundContact(const RobotModel& model, const Material& material)
-    : material_(material) {
+GroundContact::GroundContact(const BodyPlan& plan)
+    : terrain_(plan.ground, plan.ground_normal, plan.obstacles) {
+  const RobotModel& model = plan.model;
   for (std::size_t i = 0; i < model.feet.size(); ++i) addFoot(model.feet[i], static_cast<int>(i));
   for (const ContactSphere& sphere : model.contact_spheres) {
     points_.push_back({sphere.body, -1, sphere.p_B, sphere.radius});
   }
-  anchors_.resize(points_.size());
-  touches_.resize(points_.size());
-  forces_.reserve(points_.size());
+  for (const Point& point : points_) {
+    reach_ = std::max(reach_, reachOf(model, point.body, point.p_B) + point.radius);
+  }
+  anchors_.resize(2 * points_.size());
+  touches_.resize(2 * points_.size());
+  groups_.resize(model.bodies.size());
+  forces_.reserve(2 * points_.size());
 }
 
 void GroundContact::addFoot(const FootModel& foot, int index) {
@@ -50,148 +73,174 @@ void GroundContact::archive(Archive& archive) {
   for (Anchor& anchor : anchors_) {
     archive.value(anchor.touching);
     archive.value(anchor.sliding);
+    archive.value(anchor.surface);
     archive.value(anchor.load);
+    archive.value(anchor.approach);
     archive.numbers(anchor.place);
   }
-  auto count = static_cast<std::uint64_t>(forces_.size());
-  archive.value(count);
-  if (archive.mode() == Archive::Mode::Load) forces_.resize(static_cast<std::size_t>(count));
-  for (Force& force : forces_) {
+  archive.each(forces_, [&archive](Force& force) {
     archive.value(force.body);
     archive.value(force.foot);
     archive.numbers(force.p_B);
     archive.numbers(force.f_W);
     archive.value(force.depth);
-  }
+  });
+}
+
+Vec3 GroundContact::centerOf(const Point& point, const std::vector<BodyMotion>& motion) const {
+  const BodyMotion& body = motion[static_cast<std::size_t>(point.body)];
+  return body.p_WB + body.R_WB * point.p_B;
 }
 
 double GroundContact::lowestPoint(const std::vector<BodyMotion>& motion) const {
   double lowest = std::numeric_limits<double>::max();
   for (const Point& point : points_) {
-    const BodyMotion& body = motion[static_cast<std::size_t>(point.body)];
-    lowest = std::min(lowest, (body.p_WB + body.R_WB * point.p_B).z() - point.radius);
+    lowest = std::min(lowest, terrain_.overGround(centerOf(point, motion)).distance - point.radius);
   }
   return points_.empty() ? 0 : lowest;
+}
+
+// From above all obstacles down in steps that can not pass through any, until one is touched.
+double GroundContact::calcLift(const std::vector<BodyMotion>& motion) const {
+  constexpr double kClose = 1e-6;  // [m]
+  const auto gapAt = [&](double lift) {
+    double gap = std::numeric_limits<double>::max();
+    for (const Point& point : points_) {
+      const Vec3 p_W = centerOf(point, motion) + Vec3(0, 0, lift);
+      for (int i = 0; i < terrain_.obstacleCount(); ++i) {
+        gap = std::min(gap, terrain_.overObstacle(p_W, i).distance - point.radius);
+      }
+    }
+    return gap;
+  };
+  if (terrain_.obstacleCount() == 0 || gapAt(0) > -kClose) return 0;
+  double lift = terrain_.top() + 2 * reach_;
+  for (int i = 0; i < 1000 && lift > 0; ++i) {
+    const double gap = gapAt(lift);
+    if (gap < kClose) break;
+    lift -= gap;
+  }
+  return std::max(0.0, lift);
+}
+
+bool GroundContact::findObstacle(const Vec3& p_W, Terrain::Spot& spot) const {
+  bool found = false;
+  for (const int i : near_) {
+    const Terrain::Spot other = terrain_.overObstacle(p_W, i);
+    if (found && other.distance >= spot.distance) continue;
+    spot = other;
+    found = true;
+  }
+  return found;
 }
 
 void GroundContact::prepare(const std::vector<BodyMotion>& motion, const TreeDynamics& mass,
                             double h) {
   h_ = h;
   mass_ = &mass;
-  touch_count_ = 0;
+  touch_count_ = group_count_ = 0;
+  if (terrain_.obstacleCount() > 0) terrain_.findNear(motion[0].p_WB, reach_, near_);
+  Terrain::Spot spot;
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    const Point& point = points_[i];
-    const BodyMotion& body = motion[static_cast<std::size_t>(point.body)];
-    Vec3 arm = body.R_WB * point.p_B;
-    arm.z() -= point.radius;
-    const Vec3 p_W = body.p_WB + arm;
-    const Vec3 v_W = body.v_WB + body.w_WB.cross(arm);
-    if (std::min(p_W.z(), p_W.z() + h * v_W.z()) < 0) {
-      open(i, p_W, v_W);
+    const BodyMotion& body = motion[static_cast<std::size_t>(points_[i].body)];
+    const Vec3 center_W = body.p_WB + body.R_WB * points_[i].p_B;
+    meet(2 * i, terrain_.overGround(center_W), center_W, body);
+    if (near_.empty() || !findObstacle(center_W, spot)) {
+      anchors_[2 * i + 1].touching = false;
     } else {
-      anchors_[i].touching = false;
+      meet(2 * i + 1, spot, center_W, body);
     }
   }
 }
 
-void GroundContact::open(std::size_t point, const Vec3& p_W, const Vec3& v_W) {
-  Touch& touch = touches_[touch_count_++];
-  touch.point = point;
-  touch.p_W = p_W;
-  touch.v = v_W;
-  touch.direction = Eigen::Vector2d::UnitX();
-  mass_->calcPointJacobian(points_[point].body, p_W, touch.jacobian);
-  Anchor& anchor = anchors_[point];
-  if (!anchor.touching) anchor = {true, false, 0, p_W.head<2>()};
-  stick(touch);
-  if (anchor.sliding && v_W.head<2>().norm() > kSlowSliding) slide(touch, anchor.load);
-}
-
-// Turns the horizontal axes of a touch, so that sliding is along its first.
-void GroundContact::turnTo(Touch& touch, const Eigen::Vector2d& direction) const {
-  touch.direction = direction;
-  const double c = direction.x();
-  const double s = direction.y();
-  for (int i = 0; i < touch.jacobian.count; ++i) {
-    double& x = touch.jacobian.row[0][i];
-    double& y = touch.jacobian.row[1][i];
-    const double along = c * x + s * y;
-    y = c * y - s * x;
-    x = along;
-  }
-  touch.v.head<2>() =
-      Eigen::Vector2d(c * touch.v.x() + s * touch.v.y(), c * touch.v.y() - s * touch.v.x());
-}
-
-Vec3 GroundContact::toWorld(const Touch& touch, const Vec3& v) {
-  const double c = touch.direction.x();
-  const double s = touch.direction.y();
-  return {c * v.x() - s * v.y(), s * v.x() + c * v.y(), v.z()};
-}
-
-void GroundContact::stick(Touch& touch) const {
-  const Material& m = material_;
-  touch.mode = Mode::Stick;
-  const Eigen::Vector2d stretch = touch.p_W.head<2>() - anchors_[touch.point].place;
-  const Vec3 next = Vec3(stretch.x(), stretch.y(), touch.p_W.z()) + h_ * touch.v;
-  const Vec3 k(m.tangential_stiffness, m.tangential_stiffness, m.stiffness);
-  const Vec3 d(m.tangential_damping, m.tangential_damping, m.damping);
-  touch.now = -k.cwiseProduct(next) - d.cwiseProduct(touch.v);
-  touch.change = h_ * k + d;
-}
-
-// mu f_n against the motion: constant along it, and turning with it as the motion turns.
-void GroundContact::slide(Touch& touch, double load) const {
-  const double speed = touch.v.head<2>().norm();
-  const double friction = material_.friction * load;
-  touch.mode = Mode::Slide;
-  if (speed < kSlowSliding) {
-    touch.now.head<2>() = -friction / kSlowSliding * touch.v.head<2>();
-    touch.change.head<2>().setConstant(friction / kSlowSliding);
-    touch.mode = Mode::Brake;
+void GroundContact::meet(std::size_t anchor, const Terrain::Spot& spot, const Vec3& center_W,
+                         const BodyMotion& body) {
+  const Point& point = points_[anchor / 2];
+  const double gap = spot.distance - point.radius;
+  const Vec3 p_W = center_W - point.radius * spot.n_W;
+  const Vec3 v_W = body.v_WB + body.w_WB.cross(p_W - body.p_WB);
+  if (std::min(gap, gap + h_ * spot.n_W.dot(v_W)) >= 0) {
+    anchors_[anchor].touching = false;
     return;
   }
-  turnTo(touch, touch.v.head<2>() / speed);
-  touch.now.head<2>() = Eigen::Vector2d(-friction, 0);
-  touch.change.head<2>() = Eigen::Vector2d(0, friction / speed);
+  open(anchor, spot, p_W, v_W, point.radius > 0 ? spot.n_W.dot(body.w_WB) : 0);
 }
 
-// The same force, falling to nothing as the point comes to rest: it never turns back.
-void GroundContact::brake(Touch& touch) const {
-  touch.mode = Mode::Brake;
-  touch.change.x() = -touch.now.x() / touch.v.x();
+void GroundContact::open(std::size_t index, const Terrain::Spot& spot, const Vec3& p_W,
+                         const Vec3& v_W, double spin) {
+  Touch& touch = touches_[touch_count_++];
+  const Point& point = points_[index / 2];
+  touch.anchor = index;
+  touch.group = groupOf(point.body);
+  touch.material = &terrain_.material(spot.surface);
+  touch.p_W = p_W;
+  touch.r = p_W - mass_->rootOrigin();
+  touch.depth = point.radius - spot.distance;
+  touch.R = frameOn(spot.n_W);
+  touch.v = touch.R.transpose() * v_W;
+  touch.spin = spin;
+  Anchor& anchor = anchors_[index];
+  if (!anchor.touching || anchor.surface != spot.surface) {
+    anchor = {true, false, spot.surface, 0, -touch.v.z(), p_W};
+    begin(touch);
+  } else {
+    goOn(touch, anchor);
+  }
 }
 
-void GroundContact::addTo(TreeMatrix& matrix, Eigen::VectorXd& rhs) const {
+std::size_t GroundContact::groupOf(int body) {
+  for (std::size_t g = group_count_; g-- > 0;) {
+    if (groups_[g].body == body) return g;
+  }
+  groups_[group_count_].body = body;
+  return group_count_++;
+}
+
+// Of a touch: rows g = (r x d, d) along the axes d of its frame, weighted and summed.
+void GroundContact::add(const Touch& touch, Group& group) const {
+  Eigen::Matrix<double, 6, 3> g;
+  for (int axis = 0; axis < 3; ++axis) {
+    g.col(axis).head<3>() = touch.r.cross(touch.R.col(axis));
+    g.col(axis).tail<3>() = touch.R.col(axis);
+  }
+  group.wrench.noalias() += g * (h_ * touch.now);
+  const Eigen::Matrix<double, 6, 3> weighted = g * (h_ * touch.change).asDiagonal();
+  group.stiffness.noalias() += weighted * g.transpose();
+  if (touch.twist_change == 0 && touch.twist == 0) return;
+  const Vec3 n_W = touch.R.col(2);
+  group.wrench.head<3>() += h_ * touch.twist * n_W;
+  group.stiffness.topLeftCorner<3, 3>() += h_ * touch.twist_change * n_W * n_W.transpose();
+}
+
+void GroundContact::addTo(TreeMatrix& matrix, Eigen::VectorXd& rhs) {
+  for (std::size_t g = 0; g < group_count_; ++g) {
+    groups_[g].stiffness.setZero();
+    groups_[g].wrench.setZero();
+  }
   for (std::size_t t = 0; t < touch_count_; ++t) {
-    const Touch& touch = touches_[t];
-    if (touch.mode == Mode::Open) continue;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double* row = touch.jacobian.row[axis];
-      matrix.addOuterProduct(touch.jacobian.leaf, row, h_ * touch.change[axis]);
-      matrix.addScaled(touch.jacobian.leaf, row, h_ * touch.now[axis], rhs);
-    }
+    if (touches_[t].mode != Mode::Open) add(touches_[t], groups_[touches_[t].group]);
   }
-}
-
-Vec3 GroundContact::velocityChange(const Touch& touch, const Eigen::VectorXd& du) const {
-  const TreeDynamics::PointJacobian& jacobian = touch.jacobian;
-  Vec3 change = Vec3::Zero();
-  for (int k = 0; k < jacobian.count; ++k) {
-    const double speed = du[jacobian.speed[k]];
-    for (int axis = 0; axis < 3; ++axis) change[axis] += jacobian.row[axis][k] * speed;
+  for (std::size_t g = 0; g < group_count_; ++g) {
+    mass_->addBodyStiffness(groups_[g].body, groups_[g].stiffness, matrix);
+    mass_->addBodyWrench(groups_[g].body, groups_[g].wrench, rhs);
   }
-  return change;
 }
 
 bool GroundContact::revise(const Eigen::VectorXd& du, bool may_open) {
+  for (std::size_t g = 0; g < group_count_; ++g) {
+    groups_[g].change = mass_->calcBodyVelocity(du, groups_[g].body);
+  }
   bool changed = false;
   for (std::size_t t = 0; t < touch_count_; ++t) {
     Touch& touch = touches_[t];
+    const Spatial& body = groups_[touch.group].change;
+    const Vec3 w = body.head<3>();
+    const Vec3 change = touch.R.transpose() * (body.tail<3>() + w.cross(touch.r));
+    touch.after = touch.v + change;
     if (touch.mode == Mode::Open) continue;
-    const Vec3 change = velocityChange(touch, du);
     touch.force = touch.now - touch.change.cwiseProduct(change);
-    changed |= !keepsFriction(touch, touch.v.x() + change.x());
+    changed |= !keepsFriction(touch);
+    changed |= !keepsTwist(touch, touch.spin + touch.R.col(2).dot(w));
   }
   if (changed || !may_open) return changed;
   for (std::size_t t = 0; t < touch_count_; ++t) {
@@ -204,36 +253,26 @@ bool GroundContact::revise(const Eigen::VectorXd& du, bool may_open) {
   return changed;
 }
 
-// `speed_after` [m/s] is along the touch's first axis at the end of the step.
-bool GroundContact::keepsFriction(Touch& touch, double speed_after) const {
-  const double load = std::max(0.0, touch.force.z());
-  if (touch.mode == Mode::Stick) {
-    if (touch.force.head<2>().norm() <= material_.friction * load) return true;
-    slide(touch, load);
-    return false;
-  }
-  if (touch.mode != Mode::Slide || speed_after >= 0) return true;
-  brake(touch);
-  return false;
-}
-
-void GroundContact::finish(const Eigen::VectorXd& du) {
+void GroundContact::finish(const std::vector<BodyMotion>& motion) {
   forces_.clear();
   for (std::size_t t = 0; t < touch_count_; ++t) {
     const Touch& touch = touches_[t];
-    Anchor& anchor = anchors_[touch.point];
+    Anchor& anchor = anchors_[touch.anchor];
     anchor.touching = touch.mode != Mode::Open;
     if (!anchor.touching) continue;
-    const Vec3 f_W = toWorld(touch, touch.force);
-    anchor.load = std::max(0.0, f_W.z());
+    const Vec3 f_W = touch.R * touch.force;
+    const Vec3 pull_W = f_W - touch.force.z() * touch.R.col(2);
+    anchor.load = std::max(0.0, touch.force.z());
     anchor.sliding = touch.mode != Mode::Stick;
     if (anchor.sliding) {
-      const Vec3 v_W = toWorld(touch, touch.v + velocityChange(touch, du));
       anchor.place =
-          touch.p_W.head<2>() + h_ * v_W.head<2>() + f_W.head<2>() / material_.tangential_stiffness;
+          touch.p_W + h_ * (touch.R * touch.after) + pull_W / touch.material->tangential_stiffness;
     }
-    const Point& point = points_[touch.point];
-    forces_.push_back({point.body, point.foot, point.p_B, f_W, -touch.p_W.z()});
+    const Point& point = points_[touch.anchor / 2];
+    const BodyMotion& body = motion[static_cast<std::size_t>(point.body)];
+    const Vec3 p_B =
+        point.radius > 0 ? Vec3(body.R_WB.transpose() * (touch.p_W - body.p_WB)) : point.p_B;
+    forces_.push_back({point.body, point.foot, p_B, f_W, touch.depth});
   }
 }
 

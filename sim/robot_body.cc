@@ -23,7 +23,7 @@ RobotBody::RobotBody(BodyPlan plan, Mode mode)
       dynamics_(plan_->model),
       drive_(*plan_, dynamics_.rootSpeedCount()),
       stops_(plan_->model, dynamics_.rootSpeedCount()),
-      contact_(plan_->model, plan_->ground),
+      contact_(*plan_),
       ties_(plan_->model, dynamics_.rootSpeedCount()),
       smooth_(dynamics_.rootSpeedCount(), drive_, stops_, contact_),
       tree_(dynamics_.zeroState()),
@@ -55,10 +55,14 @@ void RobotBody::place(const Pose2& pose, const JointArray<double>& angles) {
   }
   setTree(tree);
   if (root == 0) return;
-  const Eigen::Quaterniond upright = Eigen::AngleAxisd(pose.theta, Vec3::UnitZ()) * levelSoles();
+  const Vec3& n = plan_->ground_normal;
+  const Eigen::Quaterniond upright = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), n) *
+                                     Eigen::AngleAxisd(pose.theta, Vec3::UnitZ()) * levelSoles();
   tree.q.head<7>() << upright.w(), upright.x(), upright.y(), upright.z(), pose.x, pose.y, 0;
   setTree(tree);
-  tree.q[6] = -lowestPoint();
+  tree.q[6] = -lowestPoint() / n.z();
+  setTree(tree);
+  tree.q[6] += contact_.calcLift(motion());
   setTree(std::move(tree));
 }
 
@@ -92,7 +96,7 @@ void RobotBody::step(const JointCommand& command, const DriveTerms* terms,
   ended(Phase::Ground);
   solve(external, h);
   ended(Phase::Solve);
-  contact_.finish(du_);
+  contact_.finish(motion());
   drive_.finish(du_);
   integrate(h);
   moveHands(command, h);

@@ -262,4 +262,44 @@ void TreeDynamics::calcPointJacobian(int body, const Vec3& p_W, PointJacobian& j
   for (int i = 0; i < 6; ++i) jacobian.speed[i] = i;
 }
 
+TreeDynamics::Spatial TreeDynamics::calcBodyVelocity(const Eigen::VectorXd& u, int body) const {
+  Spatial v = Spatial::Zero();
+  if (root_speeds_ > 0) v = u.head<6>();
+  for (int b = body; b > 0; b = links_[static_cast<std::size_t>(b)].parent) {
+    const Moving& m = moving_[static_cast<std::size_t>(b)];
+    const double rate = u[leafOf(b)];
+    v.head<3>() += rate * m.axis;
+    v.tail<3>() += rate * m.lever;
+  }
+  return v;
+}
+
+void TreeDynamics::addBodyWrench(int body, const Spatial& w, Eigen::VectorXd& rhs) const {
+  for (int b = body; b > 0; b = links_[static_cast<std::size_t>(b)].parent) {
+    const Moving& m = moving_[static_cast<std::size_t>(b)];
+    rhs[leafOf(b)] += m.axis.dot(w.head<3>()) + m.lever.dot(w.tail<3>());
+  }
+  if (root_speeds_ > 0) rhs.head<6>() += w;
+}
+
+void TreeDynamics::addBodyStiffness(int body, const SpatialMatrix& K, TreeMatrix& matrix) const {
+  for (int i = body; i > 0; i = links_[static_cast<std::size_t>(i)].parent) {
+    const Moving& own = moving_[static_cast<std::size_t>(i)];
+    Spatial hinge;
+    hinge << own.axis, own.lever;
+    const Spatial f = K * hinge;
+    const Vec3 moment = f.head<3>();
+    const Vec3 force = f.tail<3>();
+    double* row = matrix.row(leafOf(i));
+    for (int j = i; j > 0; j = links_[static_cast<std::size_t>(j)].parent) {
+      const Moving& above = moving_[static_cast<std::size_t>(j)];
+      row[leafOf(j)] += above.axis.dot(moment) + above.lever.dot(force);
+    }
+    for (int k = 0; k < root_speeds_; ++k) row[k] += f[k];
+  }
+  for (int r = 0; r < root_speeds_; ++r) {
+    for (int c = 0; c <= r; ++c) matrix.at(r, c) += K(r, c);
+  }
+}
+
 }  // namespace nao::sim

@@ -56,6 +56,17 @@ class TreeDynamics {
   };
   void calcPointJacobian(int body, const Vec3& p_W, PointJacobian& jacobian) const;
 
+  /// What a body as a whole does and bears, about the root's origin along the axes of W: its
+  /// velocity (angular, linear), a wrench (moment, force), and how a wrench changes with velocity.
+  /// The speed of a point r from the root's origin along d is (r x d, d) . velocity.
+  using Spatial = Eigen::Matrix<double, 6, 1>;
+  using SpatialMatrix = Eigen::Matrix<double, 6, 6>;
+  const Vec3& rootOrigin() const { return motion_[0].p_WB; }
+  Spatial calcBodyVelocity(const Eigen::VectorXd& u, int body) const;
+  /// Adds J^T w to `rhs`, and J^T K J for a symmetric K to `matrix`; J of calcBodyVelocity().
+  void addBodyWrench(int body, const Spatial& w, Eigen::VectorXd& rhs) const;
+  void addBodyStiffness(int body, const SpatialMatrix& K, TreeMatrix& matrix) const;
+
   double totalMass() const { return mass_; }
 
  private:
