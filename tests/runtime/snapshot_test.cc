@@ -286,6 +286,26 @@ TEST(Snapshot, HoldsEveryRobotBallAndPush) {
   EXPECT_EQ(simulation.world().scene().balls[0].p_W, ball);
 }
 
+// In the accuracy modes too, an integrator's own step length included. An arm on its foot: error
+// control takes minutes for stiff soles.
+TEST(Snapshot, GoesOnBitByBitInEveryMode) {
+  for (const auto mode : {sim::Mode::Implicit, sim::Mode::Rk4, sim::Mode::Reference}) {
+    sim::WorldOptions options(1ms);
+    options.mode = mode;
+    Simulation simulation(test::flatWorld(), {{"arm", test::robot("arm"), {}}}, options);
+    post(simulation, {1, motion::WakeUp{}});
+    simulation.advanceTo(SimTime(303ms));
+    post(simulation, {2, motion::SetAngles{{toJoint(0), toJoint(1)}, {0.5, 0.5}, {1, 1}, false}});
+    simulation.advanceTo(SimTime(403ms));
+    const auto snapshot = simulation.snapshot();
+    const Course first = go(simulation, 200ms);
+    simulation.restore(*snapshot);
+    EXPECT_GT(way(first), 0.5);
+    SCOPED_TRACE(static_cast<int>(mode));
+    expectSame(first, go(simulation, 200ms));
+  }
+}
+
 TEST(Snapshot, IsNotChangedByWhatComesLater) {
   Simulation simulation = oneNao();
   kMoments[0].reach(simulation);
