@@ -17,6 +17,7 @@ struct Arguments {
   validation::ExperimentSettings settings;
   double step = 0;      // [s]
   double duration = 0;  // [s]
+  std::string mode = "implicit";
   bool json = false;
   std::string plot;
 };
@@ -26,7 +27,9 @@ void run(Arguments& arguments) {
   settings.robots_dir = findSourceFile(settings.robots_dir);
   if (!settings.world.empty()) settings.world = findSourceFile(settings.world);
   settings.step = fromSeconds(arguments.step);
+  settings.mode = parseMode(arguments.mode);
   settings.duration = fromSeconds(arguments.duration);
+  if (!arguments.plot.empty()) validation::requirePlot(arguments.plot);
   const validation::Outcome outcome = arguments.experiment.run(settings);
   if (arguments.json) {
     std::printf("%s\n", toJson(outcome.report).c_str());
@@ -55,9 +58,8 @@ void addChoices(CLI::App& command, const std::shared_ptr<Arguments>& arguments) 
         ->capture_default_str();
   }
   if (experiment.heeds(Choice::Mode)) {
-    command.add_option("--mode", settings.mode, "How to integrate: implicit, rk4 or reference.")
-        ->transform(CLI::CheckedTransformer(kModes))
-        ->default_str("implicit");
+    command.add_option("--mode", arguments->mode, "How to integrate: implicit, rk4 or reference.")
+        ->capture_default_str();
   }
   if (experiment.heeds(Choice::Seed)) {
     command.add_option("--seed", settings.seed, "Start of all random numbers; 0: no chance.")

@@ -16,6 +16,7 @@ struct Arguments {
   daemon::Options options;
   std::vector<std::string> robots;
   std::string speed = "1";
+  std::string mode = "implicit";
 };
 
 void printReady(daemon::Daemon& daemon, const std::string& listen) {
@@ -44,6 +45,7 @@ void serve(Arguments& arguments) {
     options.robots.push_back(daemon::parseRobot(robot));
   }
   options.speed = daemon::parseSpeed(arguments.speed);
+  options.mode = parseMode(arguments.mode);
   options.world = findSourceFile(options.world);
   options.robots_dir = findSourceFile(options.robots_dir);
 
@@ -84,9 +86,8 @@ void addServe(CLI::App& app) {
           "`variation`: joint zeros, start pose, floor friction, encoder jitter, IMU noise.\n"
           "The same seed draws the same; 0: no variation.")
       ->capture_default_str();
-  command->add_option("--mode", options.mode, "How to integrate: implicit, rk4 or reference.")
-      ->transform(CLI::CheckedTransformer(kModes))
-      ->default_str("implicit");
+  command->add_option("--mode", arguments->mode, "How to integrate: implicit, rk4 or reference.")
+      ->capture_default_str();
   command->add_option("--step", options.step, "Length of a physics step [s], 0.001 to 0.005.")
       ->capture_default_str();
   command->add_option("--robots-dir", options.robots_dir, "Where the robots' folders are.")

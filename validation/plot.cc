@@ -196,13 +196,19 @@ Panel makePanel(std::string title, std::string x_label, std::string y_label) {
   return panel;
 }
 
-void draw(const Picture& picture, const std::string& file) {
+void requirePlot(const std::string& file) {
   const std::string ending = fs::path(file).extension().string();
   if (ending != ".svg" && ending != ".png") {
     throw InputError("--plot " + file + ": expected a file name ending in .svg or .png");
   }
   requireGnuplot();
-  if (!std::ofstream(file)) throw InputError("--plot " + file + ": the file can not be written");
+  if (!std::ofstream(file, std::ios::app)) {
+    throw InputError("--plot " + file + ": the file can not be written");
+  }
+}
+
+void draw(const Picture& picture, const std::string& file) {
+  requirePlot(file);
   const ScratchFolder scratch;
   const fs::path script = scratch.path() / "plot.gp";
   std::ofstream(script) << Script(picture, file).text();

@@ -46,8 +46,12 @@ struct Picture {
   int height = 560;  // [px]
 };
 
-/// Draws to a .svg or .png with gnuplot.
-/// @throws InputError for another ending, without gnuplot, or when the file can not be written.
+/// Whether draw() could write this file, told before the work that the picture shows.
+/// @throws InputError for another ending than .svg and .png, without gnuplot, or when the file can
+/// not be written.
+void requirePlot(const std::string& file);
+
+/// Draws with gnuplot. @throws InputError as requirePlot().
 void draw(const Picture& picture, const std::string& file);
 
 }  // namespace nao::validation

@@ -87,8 +87,10 @@ Picture plot(const std::vector<std::pair<std::string, Standing>>& all) {
   return {"Standing still", {drift, tilt}, 1, 900, 700};
 }
 
-// The robot asked for and, beside an ideal one, its documented twin.
-std::vector<std::string> robotsToStand(const std::string& robot) {
+// The robot asked for and, beside an ideal one, its documented twin; modes other than the implicit
+// one have ideal drives alone.
+std::vector<std::string> robotsToStand(const std::string& robot, sim::Mode mode) {
+  if (mode != sim::Mode::Implicit) return {robot};
   const std::string ideal = "_ideal";
   if (robot.size() <= ideal.size()) return {robot};
   const std::size_t at = robot.size() - ideal.size();
@@ -108,6 +110,7 @@ void fillReport(const ExperimentSettings& settings,
     for (const auto& [name, value] : s.draw) report.draw[robot + "." + name] = value;
     rows.push_back({{"robot", robot},
                     {"drift_m", s.drift_m},
+                    {"drift_at_end_m", s.drift.empty() ? 0 : s.drift.back()},
                     {"tilt_change_deg", s.tilt_change_deg},
                     {"penetration_max_m", s.penetration_m}});
     table.lines.push_back({robot, fixed(s.drift_m * 1e3, 4), fixed(s.tilt_change_deg, 4),
@@ -124,7 +127,7 @@ void fillReport(const ExperimentSettings& settings,
 
 Outcome run(const ExperimentSettings& settings) {
   std::vector<std::pair<std::string, Standing>> all;
-  for (const std::string& robot : robotsToStand(settings.robot)) {
+  for (const std::string& robot : robotsToStand(settings.robot, settings.mode)) {
     all.emplace_back(robot, Stand(settings, robot).found());
   }
   Outcome outcome;
