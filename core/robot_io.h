@@ -38,7 +38,7 @@ struct TouchState {
 
 /// One ultrasonic receiver: distances of up to ten echoes, nearest first.
 inline constexpr std::size_t kSonarEchoes = 10;
-using SonarEchoes = std::array<double, kSonarEchoes>;  // [m]; 0: none
+using SonarEchoes = std::array<double, kSonarEchoes>;  // [m]; 0: no sonar
 
 struct BatteryState {
   double charge = 1;        // 0 to 1

@@ -106,6 +106,10 @@ struct SonarModel {
   std::vector<int> receivers;     // likewise
 };
 
+struct BatteryModel {
+  double capacity_ah = 2.25;  // [A h]
+};
+
 /// A sphere of a body that touches the ground (a foot's corners are not among them).
 struct ContactSphere {
   int body = 0;
@@ -152,6 +156,7 @@ struct RobotModel {
   Vec3 p_BoImu = Vec3::Zero();
   int gyro_axes = 3;  // 2 on V3.x and V4
   SonarModel sonar;
+  BatteryModel battery;
 
   std::vector<EffectSetting> effects;    // always on
   std::vector<EffectSetting> variation;  // on in runs that have a seed: why real runs differ

@@ -157,6 +157,12 @@ void readSonar(Config& body, RobotModel& model) {
   });
 }
 
+void readBattery(Config& body, RobotModel& model) {
+  body.map("battery", Presence::Optional, [&](Config& entry) {
+    model.battery.capacity_ah = entry.number("capacity_Ah", kPositive);
+  });
+}
+
 }  // namespace
 
 void addDefaultGroups(RobotModel& model) {
@@ -206,6 +212,7 @@ void readBody(const ConfigNode& file, const UrdfRobot& urdf, RobotModel& model) 
     readContactSpheres(body, model);
     readFrames(body, model);
     readSonar(body, model);
+    readBattery(body, model);
     readNoCollision(body, model);
     model.effects = readEffects(body, "effects", model);
     model.variation = readEffects(body, "variation", model);

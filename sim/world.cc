@@ -10,8 +10,6 @@
 namespace nao::sim {
 namespace {
 
-constexpr double kAmbient = 25;  // [deg C] motors do not warm up yet
-
 void checkStep(const std::vector<RobotSetup>& robots, Duration step, bool any_step) {
   using std::chrono_literals::operator""ms;
   if (!any_step && (step < 1ms || step > 5ms)) throw InputError("--step: expected 1 to 5 ms");
@@ -81,6 +79,10 @@ class World::Impl {
     touching_.report(report_);
   }
 
+  Surroundings around(std::size_t robot) const {
+    return {*model_, bodies_, balls_, report_, robot};
+  }
+
   SceneFrame scene() const {
     SceneFrame scene;
     scene.time = now_;
@@ -141,13 +143,20 @@ void World::setCommand(std::size_t robot, const JointCommand& command) {
 }
 void World::step() { impl_->step(); }
 SensorFrame World::readSensors(std::size_t robot) {
-  return impl_->robots_[robot]->readSensors(impl_->now_);
+  return impl_->robots_[robot]->readSensors(impl_->around(robot), impl_->now_);
 }
 SceneFrame World::scene() const { return impl_->scene(); }
 const ContactReport& World::contacts() const { return impl_->report_; }
 bool World::healthy() const { return impl_->healthy_; }
 void World::push(std::size_t robot, const Vec3& force_W, Duration duration) {
   impl_->robots_.at(robot)->push(force_W, impl_->now_ + duration);
+}
+void World::press(std::size_t robot, const std::string& sensor, Duration duration) {
+  TouchSensors& touch = impl_->robots_.at(robot)->touch();
+  if (touch.press(sensor, impl_->now_ + duration)) return;
+  std::string names;
+  for (const std::string& name : touch.names()) names += (names.empty() ? "" : ", ") + name;
+  throw InputError("press: expected one of " + names + "; found '" + sensor + "'");
 }
 void World::placeRobot(std::size_t robot, const Pose2& pose, const JointArray<double>* angles) {
   impl_->robots_.at(robot)->place(pose, angles);

@@ -81,6 +81,9 @@ class World {
 
   /// Pushes the torso with `force_W` [N] for `duration`.
   void push(std::size_t robot, const Vec3& force_W, Duration duration);
+  /// A finger on a bumper, tactile sensor or button, by NaoQi's device name ("Head/Touch/Front").
+  /// @throws InputError that lists the names this robot has.
+  void press(std::size_t robot, const std::string& sensor, Duration duration);
   /// Puts a robot down at rest in its start posture, or in `angles`.
   void placeRobot(std::size_t robot, const Pose2& pose, const JointArray<double>* angles = nullptr);
   /// Puts a ball there; one that would be in the ground is lifted onto it, and one that lies on it

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/fsr.h"
-
 namespace nao::sim {
 namespace {
 
@@ -12,7 +10,6 @@ using std::chrono_literals::operator""ms;
 
 // Without an order for this long the motor boards only brake (NAOqi 1.14.5 documentation, DCM).
 constexpr Duration kWatchdog = 500ms;
-constexpr double kAmbient = 25;  // [deg C] motors do not warm up yet
 
 EffectChain makeEffects(const RobotSetup& setup, const WorldOptions& options) {
   const RobotModel& model = *setup.model;
@@ -44,14 +41,6 @@ JointArray<double> startAngles(const RobotModel& model) {
   return posture ? posture->angle : JointArray<double>(model.jointCount());
 }
 
-// The share of the stall current that the torque needs; stall current at 21.6 V is estimated
-// from the RE-Max 24's order of size, no Aldebaran figure is public.
-double currentOf(const Actuator& actuator, double torque) {
-  constexpr double kStallCurrent = 3.0;  // [A]
-  if (actuator.stall_torque <= 0) return 0;
-  return kStallCurrent * std::abs(torque) / (actuator.efficiency * actuator.stall_torque);
-}
-
 }  // namespace
 
 WorldRobot::WorldRobot(const RobotSetup& setup, const WorldModel& world,
@@ -59,7 +48,7 @@ WorldRobot::WorldRobot(const RobotSetup& setup, const WorldModel& world,
     : setup_(setup),
       effects_(makeEffects(setup, options)),
       body_(makePlan(setup, world, options, effects_), options.mode),
-      imu_(*setup.model, body_.plan().gravity) {
+      sensors_(*setup.model, body_.plan().gravity) {
   reset();
 }
 
@@ -74,7 +63,7 @@ void WorldRobot::place(const Pose2& pose, const JointArray<double>* angles) {
   followed_ = sent_;
   body_.place(pose, sent_.angle);
   effects_.restart();
-  imu_.state() = {};
+  sensors_.reset();
   push_ = {};
 }
 
@@ -111,27 +100,8 @@ const DriveTerms* WorldRobot::calcTerms(SimTime now, double h) {
   return &terms_;
 }
 
-SensorFrame WorldRobot::readSensors(SimTime now) {
-  const RobotModel& model = *setup_.model;
-  SensorFrame frame;
-  frame.time = now;
-  frame.angle = frame.current = JointArray<double>(model.jointCount());
-  frame.temperature = JointArray<double>(model.jointCount(), kAmbient);
-  frame.overheating = JointArray<std::uint8_t>(model.jointCount());
-  for (std::size_t j = 0; j < model.jointCount(); ++j) {
-    frame.angle[j] = body_.angle(toJoint(j));
-    frame.current[j] = currentOf(model.actuators[j], body_.drive().torque()[j]);
-  }
-  ended(Phase::Encoders);
-  imu_.sample(body_.motion(), model.cycle, frame);
-  effects_.alterImu(frame, model.cycle);
-  imu_.fuse(model.cycle, frame);
-  ended(Phase::Imu);
-  frame.feet = calcFootForces(model, body_.motion(), body_.groundForces());
-  ended(Phase::FootForces);
-  effects_.alterSensors(frame, model.cycle);
-  ended(Phase::SensorEffects);
-  return frame;
+SensorFrame WorldRobot::readSensors(const Surroundings& around, SimTime now) {
+  return sensors_.sample(around, now, effects_, watch_);
 }
 
 SceneFrame::Robot WorldRobot::scene() const {
@@ -147,7 +117,7 @@ SceneFrame::Robot WorldRobot::scene() const {
 void WorldRobot::archive(Archive& archive) {
   body_.archive(archive);
   effects_.archive(archive);
-  imu_.archive(archive);
+  sensors_.archive(archive);
   for (JointCommand* command : {&sent_, &followed_}) {
     archive.value(command->angle);
     archive.value(command->stiffness);

@@ -6,8 +6,8 @@
 
 #include "core/scene_frame.h"
 #include "sim/effects/catalogue.h"
-#include "sim/imu.h"
 #include "sim/robot_body.h"
+#include "sim/sensor_board.h"
 #include "sim/world.h"
 
 namespace nao::sim {
@@ -35,7 +35,8 @@ class WorldRobot {
   /// Lets effects, motors and `external` forces act from `now` for `step`.
   void step(SimTime now, Duration step, std::vector<ExternalForce>& external);
 
-  SensorFrame readSensors(SimTime now);
+  SensorFrame readSensors(const Surroundings& around, SimTime now);
+  TouchSensors& touch() { return sensors_.touch(); }
   SceneFrame::Robot scene() const;
   void archive(Archive& archive);
 
@@ -52,7 +53,7 @@ class WorldRobot {
   const RobotSetup& setup_;
   EffectChain effects_;
   RobotBody body_;
-  Imu imu_;
+  SensorBoard sensors_;
   JointCommand sent_;  // by the control side
   SimTime sent_at_{};
   JointCommand followed_;  // by the motors, after the effects

@@ -13,6 +13,8 @@ constexpr double kInterrupted = 200e-6;  // [s] no part of one robot's cycle tak
 const std::pair<Phase, const char*> kNames[] = {{Phase::Encoders, "encoders"},
                                                 {Phase::Imu, "inertial unit"},
                                                 {Phase::FootForces, "foot forces"},
+                                                {Phase::Sonar, "sonar"},
+                                                {Phase::Touch, "bumpers and touch"},
                                                 {Phase::SensorEffects, "effects on sensors"},
                                                 {Phase::Touching, "robots and balls touching"},
                                                 {Phase::Effects, "effects on drives"},

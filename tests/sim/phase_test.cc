@@ -26,7 +26,8 @@ TEST(PhaseWatch, HearsOfEveryPhaseAndChangesNothing) {
                             Phase::Ground, Phase::Solve, Phase::Kinematics}) {
     EXPECT_EQ(heard[phase], 5);
   }
-  for (const Phase phase : {Phase::Encoders, Phase::Imu, Phase::FootForces, Phase::SensorEffects}) {
+  for (const Phase phase : {Phase::Encoders, Phase::Imu, Phase::FootForces, Phase::Sonar,
+                            Phase::Touch, Phase::SensorEffects}) {
     EXPECT_EQ(heard[phase], 1);
   }
   EXPECT_EQ(one.hash(), other.hash());
