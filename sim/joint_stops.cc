@@ -8,13 +8,16 @@ namespace {
 constexpr double kStiffness = 2e4;  // [N m/rad] free choice: 8.4 N m / 2e4 = 0.024 degrees
 constexpr double kDamping = 28;     // [N m s/rad] critical for a rotor inertia of 0.01 kg m^2
 
+constexpr double kNear = 0.05;  // [rad] within one step a joint gets no farther than this
+constexpr int kChanges = 2;     // of mind, so that a step always ends
+
 constexpr double change(double h) { return kStiffness * h + kDamping; }
 
 }  // namespace
 
 JointStops::JointStops(const RobotModel& model, int root_speeds)
     : model_(model), root_speeds_(root_speeds) {
-  touches_.reserve(model.coordinates.size());
+  touches_.reserve(2 * model.coordinates.size());
 }
 
 void JointStops::narrow(const CoupledLimit& limit, const double* q) {
@@ -40,13 +43,14 @@ void JointStops::prepare(const double* q, const double* u, double h) {
   }
   for (std::size_t i = 0; i < lower_.size(); ++i) {
     const double next = q[i] + h * u[i];
-    const int speed = root_speeds_ + static_cast<int>(i);
-    if (next > upper_[i]) {
-      touches_.push_back({speed, -1, kStiffness * (upper_[i] - next) - kDamping * u[i], true});
-    } else if (next < lower_[i]) {
-      touches_.push_back({speed, 1, kStiffness * (lower_[i] - next) - kDamping * u[i], true});
-    }
+    if (next > upper_[i] - kNear) approach(i, -1, upper_[i] - next, u[i]);
+    if (next < lower_[i] + kNear) approach(i, 1, lower_[i] - next, u[i]);
   }
+}
+
+void JointStops::approach(std::size_t coordinate, double side, double room, double u) {
+  const int speed = root_speeds_ + static_cast<int>(coordinate);
+  touches_.push_back({speed, side, room, kStiffness * room - kDamping * u, side * room > 0, 0});
 }
 
 void JointStops::addTo(TreeMatrix& matrix, Eigen::VectorXd& rhs) const {
@@ -60,7 +64,7 @@ void JointStops::addTo(TreeMatrix& matrix, Eigen::VectorXd& rhs) const {
 void JointStops::addSmooth(const double* q, const double* u, Eigen::VectorXd& torque) {
   prepare(q, u, 0);
   for (const Touch& touch : touches_) {
-    if (touch.side * touch.now > 0) torque[touch.speed] += touch.now;
+    if (touch.active && touch.side * touch.now > 0) torque[touch.speed] += touch.now;
   }
 }
 
@@ -68,8 +72,11 @@ bool JointStops::revise(const Eigen::VectorXd& du) {
   bool changed = false;
   for (Touch& touch : touches_) {
     const double torque = touch.now - change(h_) * du[touch.speed];
-    if (!touch.active || touch.side * torque >= 0) continue;
-    touch.active = false;
+    const bool reached = touch.active || touch.side * (touch.room - h_ * du[touch.speed]) > 0;
+    const bool pushes = reached && touch.side * torque >= 0;
+    if (pushes == touch.active || touch.changes >= kChanges) continue;
+    touch.active = pushes;
+    ++touch.changes;
     changed = true;
   }
   return changed;

@@ -23,16 +23,20 @@ class JointStops {
   /// Adds the torques at this very state, without a step.
   void addSmooth(const double* q, const double* u, Eigen::VectorXd& torque);
 
-  /// After a solve: lets go of stops that would pull. True if any did.
+  /// After a solve: lets go of stops that would pull, and meets those that are reached after all.
+  /// True if any changed.
   bool revise(const Eigen::VectorXd& du);
 
  private:
   struct Touch {
     int speed;
     double side;  // +1 at the lower end, -1 at the upper: where the stop pushes
+    double room;  // [rad] from where the rate leads, to the stop
     double now;   // [N m]
     bool active;
+    int changes;  // of mind within one step
   };
+  void approach(std::size_t coordinate, double side, double room, double u);
   void narrow(const CoupledLimit& limit, const double* q);
 
   const RobotModel& model_;
