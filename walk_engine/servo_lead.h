@@ -21,10 +21,12 @@ struct PlannedPose {
 
 /// The command that makes the leg servos follow a planned motion. A servo with proportional gain kp
 /// and damping kd gives the torque tau only when its command is ahead of its angle:
-///   command = q + (kd / kp + half a cycle) dq/dt + tau / kp.
-/// tau comes from the planned motion by Newton's law: the ground gives all bodies their weight and
-/// acceleration, each standing foot its part, and each hinge what the links below it need. Links
-/// count as point masses. Central differences make it one cycle late.
+///   command = q + (kd / kp + half a cycle) dq/dt + tau / kp + play / 2 * sign(tau),
+/// the last for a gear whose play the robot's file documents: its motor pushes from one end of it.
+/// The sign is a smooth one, for a tau that changes it. tau comes from the planned motion by
+/// Newton's law: the ground gives all bodies their weight and acceleration, each standing foot its
+/// part, and each hinge what the links below it need. Links count as point masses. Central
+/// differences make it one cycle late.
 class ServoLead {
  public:
   explicit ServoLead(std::shared_ptr<const RobotModel> model);
@@ -66,7 +68,8 @@ class ServoLead {
   double dt_;                              // [s] of a cycle
   std::array<PlannedPose, 3> plans_;
   std::size_t newest_ = 0;
-  JointArray<double> torque_;  // [N m]
+  JointArray<double> half_play_;  // [rad]
+  JointArray<double> torque_;     // [N m]
 };
 
 }  // namespace nao::walk

@@ -122,7 +122,7 @@ TEST(Bump, BothSidesGetOppositeForces) {
 }
 
 TEST(SelfCollision, AnArmDrivenIntoTheTorsoStopsAtItsSurface) {
-  const auto model = test::robot("nao_h21_v33");
+  const auto model = test::robot("nao_h21_v33_ideal");
   World world(test::flatWorld(), {{"nao", model, {}}}, 2ms);
   JointCommand command = posture(*model, "StandZero", 1);
   world.placeRobot(0, {}, &command.angle);

@@ -17,7 +17,7 @@ class ServoLeadTest : public testing::Test {
   Pose torso() const { return kinematics_.calcSole(Foot::Left).inverse(); }
   double torque(const char* joint) const { return lead_.torque()[*model_->findJoint(joint)]; }
 
-  std::shared_ptr<const RobotModel> model_ = test::robot("nao_h21_v33");
+  std::shared_ptr<const RobotModel> model_ = test::robot("nao_h21_v33_ideal");  // without play
   JointArray<double> angle_ = model_->findPosture("StandInit")->angle;
   motion::Kinematics kinematics_{model_};
   ServoLead lead_{model_};
@@ -57,6 +57,19 @@ TEST_F(ServoLeadTest, CommandsAheadByTorqueOverGain) {
   const Joint knee = *model_->findJoint("LKneePitch");
   EXPECT_NEAR(command[knee] - angle_[knee],
               lead_.torque()[knee] / model_->actuators[index(knee)].kp, 1e-12);
+}
+
+TEST_F(ServoLeadTest, PushesFromTheEndOfThePlayThatTheFileDocuments) {
+  const auto worn = test::robot("nao_h21_v33");
+  ServoLead lead(worn);
+  lead.plan(angle_, kinematics_, torso(), {true, true}, true);
+  JointArray<double> command = angle_;
+  lead.apply(command);
+  const Joint knee = *worn->findJoint("LKneePitch");
+  const double torque = lead.torque()[knee];  // negative: it stretches
+  const double half_play = 0.7 * M_PI / 180;
+  EXPECT_NEAR(command[knee] - angle_[knee], torque / worn->actuators[index(knee)].kp - half_play,
+              0.01 * half_play);
 }
 
 TEST_F(ServoLeadTest, CommandsAheadOfASteadyTurnByItsLag) {
