@@ -11,7 +11,7 @@ const Vec3 kGravity(0, 0, -9.80665);  // [m/s^2] in O
 
 // [N m] Below this a motor is taken to be between the two ends of its play. Measured: from 1 down
 // to this the walk gets truer.
-constexpr double kTurning = 0.005;
+constexpr double kTurning = 0.002;
 
 // Half the play [rad] of each gear, as the robot's file documents it.
 JointArray<double> halfPlay(const RobotModel& model) {
