@@ -6,15 +6,12 @@ namespace nao::sim {
 namespace {
 
 constexpr double kSlowest = 0.01;  // [m/s] free choice: no approach was slower than this
-// [m] The damper sets in over this depth: one that began with a jump would hold an error-controlled
-// integrator at the surface for ever. Free choice, a third of what a standing Nao sinks in.
-constexpr double kSoftSkin = 1e-4;
 
 // k z (1 + c z' / approach), c = 8 (1 - e) / (5 e): Flores, Machado, Silva and Martins, On the
 // continuous contact force models for soft materials in multibody dynamics (2011).
 double damping(const Material& material, double depth, double approach) {
   const double e = material.restitution;
-  if (e <= 0) return material.damping * std::min(1.0, depth / kSoftSkin);
+  if (e <= 0) return material.damping;
   return material.stiffness * depth * 8 * (1 - e) / (5 * e) / std::max(approach, kSlowest);
 }
 
@@ -39,8 +36,7 @@ GroundContact::Smooth GroundContact::calcSmooth(std::size_t index, const Terrain
   const double load =
       std::max(0.0, m.stiffness * out.depth - damping(m, out.depth, out.approach) * leaving);
   const Vec3 stretch = held ? Vec3(out.p_W - anchor.place) : Vec3(Vec3::Zero());
-  const double drag = m.tangential_damping * std::min(1.0, out.depth / kSoftSkin);
-  Vec3 pull = -m.tangential_stiffness * stretch - drag * v_W;
+  Vec3 pull = -m.tangential_stiffness * stretch - m.tangential_damping * v_W;
   pull -= spot.n_W.dot(pull) * spot.n_W;
   const double most = m.friction * load;
   out.sliding = pull.norm() > most;

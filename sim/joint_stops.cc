@@ -1,7 +1,6 @@
 #include "sim/joint_stops.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace nao::sim {
 namespace {
@@ -11,10 +10,6 @@ constexpr double kDamping = 28;     // [N m s/rad] critical for a rotor inertia 
 
 constexpr double kNear = 0.05;  // [rad] within one step a joint gets no farther than this
 constexpr int kChanges = 2;     // of mind, so that a step always ends
-
-// [rad] Without a step the damper sets in over this depth, so that an error-controlled integrator
-// meets no jump. Free choice, a quarter of what full torque presses in.
-constexpr double kSoftSkin = 1e-4;
 
 constexpr double change(double h) { return kStiffness * h + kDamping; }
 
@@ -69,10 +64,7 @@ void JointStops::addTo(TreeMatrix& matrix, Eigen::VectorXd& rhs) const {
 void JointStops::addSmooth(const double* q, const double* u, Eigen::VectorXd& torque) {
   prepare(q, u, 0);
   for (const Touch& touch : touches_) {
-    if (!touch.active) continue;
-    const double spring = kStiffness * touch.room;
-    const double damper = (touch.now - spring) * std::min(1.0, std::abs(touch.room) / kSoftSkin);
-    if (touch.side * (spring + damper) > 0) torque[touch.speed] += spring + damper;
+    if (touch.active && touch.side * touch.now > 0) torque[touch.speed] += touch.now;
   }
 }
 

@@ -9,9 +9,9 @@ bool Experiment::heeds(Choice choice) const {
 }
 
 const std::vector<Experiment>& experiments() {
-  static const std::vector<Experiment> all{gravityExperiment(), timestepExperiment(),
-                                           standExperiment(),   thrashExperiment(),
-                                           headYawExperiment(), robotsExperiment()};
+  static const std::vector<Experiment> all{
+      gravityExperiment(), timestepExperiment(), standExperiment(), thrashExperiment(),
+      headYawExperiment(), robotsExperiment(),   sonarExperiment()};
   return all;
 }
 

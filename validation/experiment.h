@@ -56,6 +56,7 @@ Experiment standExperiment();
 Experiment thrashExperiment();
 Experiment headYawExperiment();
 Experiment robotsExperiment();
+Experiment sonarExperiment();
 
 /// What all experiments with a robot start from. @throws InputError.
 std::shared_ptr<const RobotModel> loadRobot(const ExperimentSettings& settings);

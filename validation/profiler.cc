@@ -8,7 +8,7 @@ namespace {
 
 using sim::Phase;
 
-constexpr double kInterrupted = 200e-6;  // [s] no part of one robot's cycle takes as long
+constexpr double kInterrupted = 5e-3;  // [s] no part of a step takes as long
 
 const std::pair<Phase, const char*> kNames[] = {{Phase::Encoders, "encoders"},
                                                 {Phase::Imu, "inertial unit"},

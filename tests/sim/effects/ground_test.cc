@@ -73,28 +73,5 @@ TEST(GroundTilt, TurnsTheNormalAboutXThenY) {
   EXPECT_LT((rig.plan().ground_normal - expected).norm(), 1e-15);
 }
 
-// A brick that lies on a slope of `tilt` about y, of friction `mu`: how fast it gets faster.
-double slideDown(double tilt, double mu) {
-  const double scale = mu / nao::test::flatWorld()->ground.friction;
-  Rig rig(brick(),
-          {effect("ground_tilt", {{"x", 0}, {"y", tilt}}),
-           effect("ground_friction", {{"scale", scale}})},
-          kGravity, kStep);
-  rig.run(0.5);
-  const double before = rig.body().tree().u.segment<3>(kVx).norm();
-  rig.run(0.2);
-  return (rig.body().tree().u.segment<3>(kVx).norm() - before) / 0.2;
-}
-
-TEST(GroundTilt, HoldsABrickUpToItsFrictionAngleAndLetsItSlideBeyond) {
-  constexpr double kMu = 0.3;
-  const double steepest = std::atan(kMu);
-  EXPECT_NEAR(slideDown(0.95 * steepest, kMu), 0, 1e-3);
-  for (const double tilt : {1.2 * steepest, 1.8 * steepest}) {
-    const double pull = kGravity * (std::sin(tilt) - kMu * std::cos(tilt));
-    EXPECT_NEAR(slideDown(tilt, kMu), pull, 0.01 * pull) << tilt;
-  }
-}
-
 }  // namespace
 }  // namespace nao::sim::test

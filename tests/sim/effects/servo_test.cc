@@ -156,29 +156,6 @@ TEST(GravityScale, ScalesTheSag) {
   EXPECT_NEAR(rig.angle(), 1.1 * kWeight / kp(), 2e-6);
 }
 
-TEST(BiasTorque, BendsTheServoLikeAPull) {
-  EXPECT_NEAR(sag({effect("bias_torque", {{"torque", 0.5}})}, 0), 0.5 / kp(), 1e-7);
-  EXPECT_NEAR(sag({effect("bias_torque", {{"torque", -0.5}})}, 0.5), 0, 1e-7);
-}
-
-TEST(JointStop, StopsTheRodWhereItSays) {
-  auto model = arm();
-  model->coordinates[0].upper = 0.5;
-  Rig rig(model, {effect("joint_stop", {{"lower", 0}, {"upper", -0.1}})});
-  rig.command.angle[0] = 1;
-  rig.run(2);
-  // The whole torque of the motor presses the stop in by T / 2e4 N m/rad (sim/joint_stops.cc).
-  EXPECT_NEAR(rig.angle(), 0.4 + mostTorque() / 2e4, 1e-4);
-}
-
-TEST(CoupledLimits, AreMetUnlessTheyAreOff) {
-  const auto nao = nao::test::robot("nao_h21_v33_ideal");
-  EXPECT_TRUE(
-      Rig(nao, {effect("coupled_limits", {{"on", 1}})}).plan().model.coupled_limits[0].stop);
-  const Rig off(nao, {effect("coupled_limits")});
-  for (const CoupledLimit& limit : off.plan().model.coupled_limits) EXPECT_FALSE(limit.stop);
-}
-
 TEST(ProcessNoise, HasItsSizeAndItsMemory) {
   constexpr double kSd = 0.05, kTime = 0.1, kStep = 0.002;
   EffectChain chain = chainOf(*arm(), {effect("process_noise", {{"sd", kSd}, {"time", kTime}})});
