@@ -110,6 +110,8 @@ class Writer {
           out_ << "capsule' size='" << solid.size.x() << ' ' << half.z() << "'/>";
         }
         return;
+      case Shape::Kind::Hull:
+        NAO_CHECK(false);  // no robot of the benchmark has one
     }
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace nao::camera {
 namespace {
@@ -103,6 +104,14 @@ Mesh makeCapsule(int corners) {
   return mesh;
 }
 
+double highestOver(const Hull& hull, const Vec3& p) {
+  double highest = -std::numeric_limits<double>::max();
+  for (const Hull::Face& face : hull.faces) {
+    highest = std::max(highest, face.normal.dot(p) - face.offset);
+  }
+  return highest;
+}
+
 constexpr std::array<int, 3> kCorners = {8, 16, 32};
 
 }  // namespace
@@ -124,6 +133,8 @@ const Mesh& MeshLibrary::find(Shape::Kind kind, Roundness roundness) const {
     case Shape::Kind::Capsule:
     case Shape::Kind::Sphere:
       return capsules_[level];
+    case Shape::Kind::Hull:
+      break;
   }
   return box_;
 }
@@ -137,6 +148,8 @@ Stretch stretchOf(const Shape& shape) {
       return {Vec3::Constant(shape.size.x()), shape.size.z() / 2};
     case Shape::Kind::Sphere:
       return {Vec3::Constant(shape.size.x()), 0};
+    case Shape::Kind::Hull:
+      return {Vec3::Ones(), 0};
   }
   return {};
 }
@@ -153,6 +166,8 @@ double boundingRadius(const Shape& shape) {
       return radius + half_length;
     case Shape::Kind::Sphere:
       return radius;
+    case Shape::Kind::Hull:
+      return shape.hull->radius;
   }
   return 0;
 }
@@ -170,6 +185,8 @@ double distanceTo(const Shape& shape, const Vec3& p_S) {
       return Vec3(p_S.x(), p_S.y(), std::max(0.0, std::abs(p_S.z()) - half_length)).norm() - radius;
     case Shape::Kind::Sphere:
       return p_S.norm() - radius;
+    case Shape::Kind::Hull:
+      return highestOver(*shape.hull, p_S);
   }
   return 0;
 }

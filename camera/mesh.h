@@ -27,7 +27,8 @@ class MeshLibrary {
  public:
   MeshLibrary();
 
-  /// The mesh of a box, cylinder or capsule (a sphere is a capsule without length).
+  /// The mesh of a box, cylinder or capsule (a sphere is a capsule without length). A hull brings
+  /// its own.
   const Mesh& find(Shape::Kind kind, Roundness roundness) const;
 
  private:
@@ -47,7 +48,7 @@ Stretch stretchOf(const Shape& shape);
 double boundingRadius(const Shape& shape);
 
 /// Distance [m] from the shape's surface to a point given in the shape's frame; negative inside.
-/// For a box and a cylinder a lower bound outside.
+/// For all but spheres and capsules a lower bound outside.
 double distanceTo(const Shape& shape, const Vec3& p_S);
 
 }  // namespace nao::camera

@@ -129,7 +129,12 @@ void Renderer::paintItems(const View& view, const GroundForms& ground) {
   TrianglePainter triangles(view.lens, ground.inverseDepth(), raster_);
   // Near solids first: what they hide is not even coloured. Then spheres, far ones first.
   for (const Item& item : items_) {
-    if (item.shape.kind != Shape::Kind::Sphere) paintMesh(item, lamp_C, triangles, view.lens);
+    if (item.shape.kind == Shape::Kind::Sphere) continue;
+    if (item.shape.kind == Shape::Kind::Hull) {
+      paintHull(item, lamp_C, triangles);
+    } else {
+      paintMesh(item, lamp_C, triangles, view.lens);
+    }
   }
   for (auto item = items_.rbegin(); item != items_.rend(); ++item) {
     if (item->shape.kind != Shape::Kind::Sphere) continue;
@@ -153,6 +158,20 @@ void Renderer::paintMesh(const Item& item, const Vec3& lamp_C, TrianglePainter& 
   const Pixel color = toPixel(item.shape.color);
   for (const auto& [a, b, c] : mesh.triangles) {
     painter.paint({corners_[a], corners_[b], corners_[c]}, color);
+  }
+}
+
+void Renderer::paintHull(const Item& item, const Vec3& lamp_C, TrianglePainter& painter) {
+  const Hull& hull = *item.shape.hull;
+  const Vec3 lamp_S = item.X_CS.linear().transpose() * lamp_C;
+  const Pixel color = toPixel(item.shape.color);
+  for (const Hull::Face& face : hull.faces) {
+    const double light = lightStrength(face.normal.dot(lamp_S));
+    const auto corner = [&](std::size_t i) {
+      const Vec3& p_S = hull.corners[static_cast<std::size_t>(face.corners[i])];
+      return LitCorner{item.X_CS * p_S, light};
+    };
+    painter.paint({corner(0), corner(1), corner(2)}, color);
   }
 }
 

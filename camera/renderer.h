@@ -43,6 +43,7 @@ class Renderer {
   void paintItems(const View& view, const GroundForms& ground);
   void paintMesh(const Item& item, const Vec3& lamp_C, TrianglePainter& painter,
                  const Pinhole& lens);
+  void paintHull(const Item& item, const Vec3& lamp_C, TrianglePainter& painter);
   const Raster& renderFor(const SceneFrame& scene, const View& view,
                           std::optional<CameraPlace> own);
 

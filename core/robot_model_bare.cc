@@ -129,6 +129,9 @@ void addContacts(int body, const Shape& shape, RobotModel& model) {
         addPoint(body, X_BS, rim - Vec3(0, 0, half), 0, model);
       }
       return;
+    case Shape::Kind::Hull:
+      for (const Vec3& corner : shape.hull->corners) addPoint(body, X_BS, corner, 0, model);
+      return;
   }
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <memory>
+
 #include "core/frames.h"
+#include "core/hull.h"
 
 namespace nao {
 
@@ -13,12 +16,13 @@ struct Color {
 
 /// A solid primitive fixed to a body or to the world.
 struct Shape {
-  enum class Kind { Sphere, Box, Cylinder, Capsule };
+  enum class Kind { Sphere, Box, Cylinder, Capsule, Hull };
   Kind kind = Kind::Sphere;
   Pose X_BS = Pose::Identity();  // shape's centre in its body (or in W)
   Vec3 size = Vec3::Zero();      // [m] box: full edges. others: x radius, z length along local z
                                  // (capsule: between the centres of its caps)
   Color color;
+  std::shared_ptr<const nao::Hull> hull;  // of a Hull, in the shape's frame
 };
 
 }  // namespace nao

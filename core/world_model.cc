@@ -1,7 +1,9 @@
 #include "core/world_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <map>
 
 #include "core/config.h"
 
@@ -9,16 +11,22 @@
 // a key with a value behind it may be left out.
 //
 //   name: <file's name>           gravity: 9.80665          sky_color: [170, 190, 210]
+//   materials:
+//     <name>: {friction: 0.7, torsional_friction: 0, restitution: 0, stiffness: 30e3, damping: 300,
+//              tangential_stiffness: 20e3, tangential_damping: 100}
 //   ground:
 //     size: [10, 10]              color: [60, 130, 60]      # painted part; the floor is endless
-//     friction: 0.7               stiffness: 30e3           damping: 300
-//     tangential_stiffness: 20e3  tangential_damping: 100
+//     slope: 0                    uphill: 0                 # how steep; which way up, from x
+//     material: <name>            # or the keys of a material themselves, or both: keys win
 //   lines:      [{from: [x, y], to: [x, y], width: 0.05, color: white}]
 //   rings:      [{center: [x, y], radius, width: 0.05, color: white}]
-//   boxes:      [{position, rpy: zero, size: [x, y, z], color: grey}]
-//   spheres:    [{position, radius, color}]
-//   cylinders:  [{position, rpy, radius, height, color}]   # height along the local z axis
-//   balls:      [{name: ball, position, radius, mass, rolling_deceleration: 0.5, color: orange}]
+//   boxes:      [{name, position, rpy: zero, size: [x, y, z], color: grey, material: <name>}]
+//   spheres:    [{name, position, radius, color, material}]
+//   cylinders:  [{name, position, rpy, radius, height, color, material}]  # height along local z
+//   hulls:      [{name, file, scale: 1, position, rpy, color, material}]  # convex hull of an OBJ's
+//                                                  # corners, its axes; beside the world's file
+//   balls:      [{name: ball, position, radius, mass, inertia_factor: 0.4, material,
+//                 rolling_deceleration: 0.5, color: orange}]
 //   robots:     [{name, model, start: [x, y, theta]}]
 
 namespace nao {
@@ -31,20 +39,55 @@ Eigen::Vector2d planar(Config& config, const std::string& key) {
   return {values[0], values[1]};
 }
 
-void readGround(Config& ground, WorldModel& world) {
+using Materials = std::map<std::string, Material>;
+
+void readMaterial(Config& config, Material& material) {
+  material.friction = config.number("friction", {0, 10}, material.friction);
+  material.torsional_friction =
+      config.number("torsional_friction", {0, 1}, material.torsional_friction);
+  material.restitution = config.number("restitution", {0, 1}, material.restitution);
+  material.stiffness = config.number("stiffness", kPositive, material.stiffness);
+  material.damping = config.number("damping", kNotNegative, material.damping);
+  material.tangential_stiffness =
+      config.number("tangential_stiffness", kPositive, material.tangential_stiffness);
+  material.tangential_damping =
+      config.number("tangential_damping", kNotNegative, material.tangential_damping);
+}
+
+Materials readMaterials(Config& config) {
+  Materials materials;
+  config.map("materials", Presence::Optional, [&](Config& list) {
+    for (const std::string& name : list.keys()) {
+      list.map(name, Presence::Required,
+               [&](Config& entry) { readMaterial(entry, materials[name]); });
+    }
+  });
+  return materials;
+}
+
+// What `material` names, or the usual one.
+Material materialOf(Config& entry, const Materials& materials) {
+  if (!entry.has("material")) return {};
+  const auto found = materials.find(entry.text("material"));
+  if (found != materials.end()) return found->second;
+  std::string names;
+  for (const auto& [name, material] : materials) names += (names.empty() ? "" : ", ") + name;
+  entry.reject("material", names.empty() ? "no name, since the world has no `materials`"
+                                         : "one of the world's `materials`: " + names);
+}
+
+void readGround(Config& ground, const Materials& materials, WorldModel& world) {
   if (ground.has("size")) {
     const auto size = ground.numbers("size", 2, kPositive);
     world.ground_size = Eigen::Vector2d(size[0], size[1]);
   }
   world.ground_color = ground.color("color", world.ground_color);
-  Material& material = world.ground;
-  material.friction = ground.number("friction", {0, 10}, material.friction);
-  material.stiffness = ground.number("stiffness", kPositive, material.stiffness);
-  material.damping = ground.number("damping", kNotNegative, material.damping);
-  material.tangential_stiffness =
-      ground.number("tangential_stiffness", kPositive, material.tangential_stiffness);
-  material.tangential_damping =
-      ground.number("tangential_damping", kNotNegative, material.tangential_damping);
+  const double slope = ground.number("slope", {0, 1}, 0);
+  const double uphill = ground.number("uphill", {}, 0);
+  const double along = std::sin(slope);
+  world.ground_normal = Vec3(-along * std::cos(uphill), -along * std::sin(uphill), std::cos(slope));
+  world.ground = materialOf(ground, materials);
+  readMaterial(ground, world.ground);
 }
 
 void readMarks(Config& config, WorldModel& world) {
@@ -67,33 +110,6 @@ void readMarks(Config& config, WorldModel& world) {
   });
 }
 
-// The obstacles listed at `key`; `size_of` reads what is particular to their kind.
-void readShapes(Config& config, const std::string& key, Shape::Kind kind, WorldModel& world,
-                const std::function<Vec3(Config&)>& size_of) {
-  config.list(key, Presence::Optional, [&](Config& entry) {
-    Shape shape;
-    shape.kind = kind;
-    shape.X_BS = entry.pose();
-    shape.size = size_of(entry);
-    shape.color = entry.color("color", shape.color);
-    world.obstacles.push_back({"", shape, {}});
-  });
-}
-
-Vec3 boxSize(Config& entry) {
-  const auto size = entry.numbers("size", 3, kPositive);
-  return {size[0], size[1], size[2]};
-}
-
-void readObstacles(Config& config, WorldModel& world) {
-  readShapes(config, "boxes", Shape::Kind::Box, world, boxSize);
-  readShapes(config, "spheres", Shape::Kind::Sphere, world,
-             [](Config& entry) { return Vec3(entry.number("radius", kPositive), 0, 0); });
-  readShapes(config, "cylinders", Shape::Kind::Cylinder, world, [](Config& entry) {
-    return Vec3(entry.number("radius", kPositive), 0, entry.number("height", kPositive));
-  });
-}
-
 // The names so far, and this entry's, which must be new.
 template <class List>
 std::string newName(Config& entry, const std::string& name, const List& named) {
@@ -103,14 +119,69 @@ std::string newName(Config& entry, const std::string& name, const List& named) {
   return name;
 }
 
-void readBalls(Config& config, WorldModel& world) {
+// The obstacles listed at `key`; `finish` reads what is particular to their kind.
+void readShapes(Config& config, const std::string& key, Shape::Kind kind,
+                const Materials& materials, WorldModel& world,
+                const std::function<void(Config&, Shape&)>& finish) {
+  config.list(key, Presence::Optional, [&](Config& entry) {
+    Obstacle obstacle;
+    const std::string name = entry.text("name", "");
+    if (!name.empty()) obstacle.name = newName(entry, name, world.obstacles);
+    obstacle.shape.kind = kind;
+    obstacle.shape.X_BS = entry.pose();
+    obstacle.shape.color = entry.color("color", obstacle.shape.color);
+    obstacle.material = materialOf(entry, materials);
+    finish(entry, obstacle.shape);
+    world.obstacles.push_back(obstacle);
+  });
+}
+
+// About the middle of the hull, so that a sphere about the shape's centre holds it closely.
+void readHull(Config& entry, Shape& shape) {
+  const std::string name = entry.text("file");
+  const double scale = entry.number("scale", kPositive, 1);
+  const auto file = std::filesystem::path(entry.file()).parent_path() / name;
+  if (!std::filesystem::exists(file)) entry.reject("file", "an OBJ file beside this one");
+  std::vector<Vec3> corners = readObjCorners(file.string());
+  Eigen::AlignedBox3d box;
+  for (Vec3& corner : corners) box.extend(corner *= scale);
+  const Vec3 middle = corners.empty() ? Vec3(Vec3::Zero()) : Vec3(box.center());
+  for (Vec3& corner : corners) corner -= middle;
+  Hull hull = calcHull(corners);
+  if (hull.faces.empty())
+    entry.reject("file", "an OBJ file of corners that are not all in one plane");
+  shape.X_BS = shape.X_BS * translation(middle);
+  shape.size = box.sizes();
+  shape.hull = std::make_shared<const Hull>(std::move(hull));
+}
+
+void readObstacles(Config& config, const Materials& materials, WorldModel& world) {
+  const auto read = [&](const std::string& key, Shape::Kind kind, const auto& finish) {
+    readShapes(config, key, kind, materials, world, finish);
+  };
+  read("boxes", Shape::Kind::Box, [](Config& entry, Shape& shape) {
+    const auto size = entry.numbers("size", 3, kPositive);
+    shape.size = Vec3(size[0], size[1], size[2]);
+  });
+  read("spheres", Shape::Kind::Sphere, [](Config& entry, Shape& shape) {
+    shape.size = Vec3(entry.number("radius", kPositive), 0, 0);
+  });
+  read("cylinders", Shape::Kind::Cylinder, [](Config& entry, Shape& shape) {
+    shape.size = Vec3(entry.number("radius", kPositive), 0, entry.number("height", kPositive));
+  });
+  read("hulls", Shape::Kind::Hull, readHull);
+}
+
+void readBalls(Config& config, const Materials& materials, WorldModel& world) {
   config.list("balls", Presence::Optional, [&](Config& entry) {
     Ball ball;
     ball.name = newName(entry, entry.text("name", ball.name), world.balls);
     ball.radius = entry.number("radius", kPositive);
     ball.mass = entry.number("mass", kPositive);
+    ball.inertia_factor = entry.number("inertia_factor", {0.01, 2.0 / 3}, ball.inertia_factor);
     ball.rolling_deceleration =
         entry.number("rolling_deceleration", kNotNegative, ball.rolling_deceleration);
+    ball.material = materialOf(entry, materials);
     ball.p_W = entry.vector("position");
     ball.color = entry.color("color", ball.color);
     world.balls.push_back(ball);
@@ -136,10 +207,12 @@ std::shared_ptr<const WorldModel> loadWorldModel(const std::string& file) {
     world->name = config.text("name", std::filesystem::path(file).stem().string());
     world->gravity = config.number("gravity", {0, 100}, world->gravity);
     world->sky_color = config.color("sky_color", world->sky_color);
-    config.map("ground", Presence::Optional, [&](Config& ground) { readGround(ground, *world); });
+    const Materials materials = readMaterials(config);
+    config.map("ground", Presence::Optional,
+               [&](Config& ground) { readGround(ground, materials, *world); });
     readMarks(config, *world);
-    readObstacles(config, *world);
-    readBalls(config, *world);
+    readObstacles(config, materials, *world);
+    readBalls(config, materials, *world);
     readRobots(config, *world);
   });
   return world;

@@ -113,7 +113,8 @@ double GroundContact::calcLift(const std::vector<BodyMotion>& motion) const {
     }
     return gap;
   };
-  if (terrain_.obstacleCount() == 0 || gapAt(0) > -kClose) return 0;
+  constexpr double kAbove = 1e-3;  // [m] for obstacles that stand on the ground as the robot does
+  if (terrain_.obstacleCount() == 0 || gapAt(kAbove) > -kClose) return 0;
   double lift = terrain_.top() + 2 * reach_;
   for (int i = 0; i < 1000 && lift > 0; ++i) {
     const double gap = gapAt(lift);

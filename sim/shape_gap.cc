@@ -113,9 +113,19 @@ void visitPrismEdges(double radius, double length, const Pose& X, const Visit& v
 }
 
 template <class Visit>
+void visitHullEdges(const Hull& hull, const Pose& X, const Visit& visit) {
+  for (const auto& [a, b] : hull.edges) {
+    const Vec3& from = hull.corners[static_cast<std::size_t>(a)];
+    const Vec3& to = hull.corners[static_cast<std::size_t>(b)];
+    visit(Segment{X * from, X.linear() * (to - from)});
+  }
+}
+
+template <class Visit>
 void visitEdges(const Shape& shape, const Pose& X, const Visit& visit) {
   if (isRound(shape)) return visit(axisOf(shape, X));
   if (shape.kind == Shape::Kind::Box) return visitBoxEdges(shape.size / 2, X, visit);
+  if (shape.kind == Shape::Kind::Hull) return visitHullEdges(*shape.hull, X, visit);
   visitPrismEdges(shape.size.x(), shape.size.z(), X, visit);
 }
 

@@ -226,6 +226,8 @@ double reachOfShape(const Shape& shape, const Pose& X_TB, const Vec3& way_T) {
              0.5 * shape.size.z() * std::abs(way.z());
     case Shape::Kind::Capsule:
       return centre + shape.size.x() + 0.5 * shape.size.z() * std::abs(way.z());
+    case Shape::Kind::Hull:
+      break;  // no robot has one
   }
   return centre;
 }

@@ -137,10 +137,106 @@ TEST(WorldModel, SaysWhereAndWhatInABrokenFile) {
             "world.yaml:2: `mass`: missing, expected a number above 0");
   EXPECT_EQ(complaintAbout("name: x\ngrond: {}\n"),
             "world.yaml:2: `grond`: unknown key, expected one of balls, boxes, cylinders, "
-            "gravity, ground, lines, name, rings, robots, sky_color, spheres");
+            "gravity, ground, hulls, lines, materials, name, rings, robots, sky_color, spheres");
   EXPECT_EQ(complaintAbout("robots:\n"
                            "  - {name: a, model: m, start: [0, 0, 0]}\n"
                            "  - {name: a, model: m, start: [1, 0, 0]}\n"),
+            "world.yaml:3: `name`: expected each name once, found 'a' again");
+}
+
+TEST(WorldModel, Field2020HasNineBySixMetresOfLinesAndASmallLightBall) {
+  const auto world = shipped("field_2020.yaml");
+  EXPECT_EQ(world->ground_size, Eigen::Vector2d(10.4, 7.4));
+  Eigen::Vector2d farthest = Eigen::Vector2d::Zero();
+  for (const GroundMark& mark : world->marks) {
+    if (mark.kind == GroundMark::Kind::Line) {
+      farthest = farthest.cwiseMax(mark.from.cwiseAbs()).cwiseMax(mark.to.cwiseAbs());
+    } else {
+      EXPECT_DOUBLE_EQ(mark.radius, 0.75);
+    }
+  }
+  EXPECT_NEAR(farthest.x(), 4.525, 1e-12);
+  EXPECT_NEAR(farthest.y(), 3.025, 1e-12);
+  EXPECT_EQ(world->obstacles.size(), 6u);
+  EXPECT_DOUBLE_EQ(world->obstacles[0].material.restitution, 0.5);
+  ASSERT_EQ(world->balls.size(), 1u);
+  EXPECT_DOUBLE_EQ(world->balls[0].mass, 0.044);
+  EXPECT_DOUBLE_EQ(world->balls[0].radius, 0.05);
+}
+
+TEST(WorldModel, ObstaclesHaveNamesAndMaterials) {
+  const auto world = shipped("obstacles.yaml");
+  const auto find = [&](const std::string& name) {
+    return *std::find_if(world->obstacles.begin(), world->obstacles.end(),
+                         [&](const Obstacle& obstacle) { return obstacle.name == name; });
+  };
+  EXPECT_DOUBLE_EQ(find("ice").material.friction, 0.1);
+  EXPECT_DOUBLE_EQ(find("wall").material.stiffness, 10000);
+  const Shape boulder = find("boulder").shape;
+  EXPECT_EQ(boulder.kind, Shape::Kind::Hull);
+  EXPECT_GT(boulder.hull->faces.size(), 10u);
+  EXPECT_NEAR(boulder.size.x(), 0.3, 0.05);
+  EXPECT_DOUBLE_EQ(world->balls[0].material.restitution, 0.8);
+}
+
+TEST(WorldModel, ASlopeRisesTheWayItSays) {
+  const TemporaryFolder folder;
+  const auto world =
+      loadWorldModel(folder.write("hill.yaml", "ground: {slope: 0.1, uphill: 1.570796327}\n"));
+  EXPECT_NEAR(world->ground_normal.norm(), 1, 1e-12);
+  EXPECT_NEAR(world->ground_normal.y(), -std::sin(0.1), 1e-9);
+  EXPECT_NEAR(world->ground_normal.x(), 0, 1e-9);
+}
+
+TEST(WorldModel, TheHullOfACubeLosesWhatIsInside) {
+  const TemporaryFolder folder;
+  std::string obj = "# a cube\no cube\n";
+  for (const char* x : {"0", "1"}) {
+    for (const char* y : {"0", "1"}) {
+      for (const char* z : {"0", "1"}) {
+        obj += std::string("v ") + x + " " + y + " " + z + "\n";
+      }
+    }
+  }
+  folder.write("cube.obj", obj + "v 0.5 0.5 0.5\nv 0.2 0.9 0.4\nf 1 2 3\n");
+  const auto world =
+      loadWorldModel(folder.write("world.yaml", "hulls:\n  - {file: cube.obj, scale: 2}\n"));
+  const Shape& cube = world->obstacles[0].shape;
+  EXPECT_EQ(cube.hull->corners.size(), 8u);
+  EXPECT_EQ(cube.hull->faces.size(), 12u);
+  EXPECT_EQ(cube.hull->edges.size(), 12u);
+  EXPECT_EQ(cube.size, Vec3(2, 2, 2));
+  EXPECT_EQ(cube.X_BS.translation(), Vec3(1, 1, 1));  // about its middle
+  EXPECT_NEAR(cube.hull->radius, std::sqrt(3.0), 1e-12);
+  for (const Hull::Face& face : cube.hull->faces) {
+    EXPECT_NEAR(face.offset, 1, 1e-12);  // outwards, all
+  }
+}
+
+TEST(WorldModel, SaysWhatIsWrongWithAHullOrAMaterial) {
+  const TemporaryFolder folder;
+  folder.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n");
+  folder.write("broken.obj", "v 0 0 0\nv 1 x 0\n");
+  const auto complaint = [&](const std::string& text) -> std::string {
+    try {
+      loadWorldModel(folder.write("world.yaml", text));
+    } catch (const InputError& error) {
+      return folder.withoutPath(error.what());
+    }
+    return "no complaint";
+  };
+  EXPECT_EQ(complaint("hulls:\n  - {file: none.obj}\n"),
+            "world.yaml:2: `file`: expected an OBJ file beside this one, found 'none.obj'");
+  EXPECT_EQ(complaint("hulls:\n  - {file: flat.obj}\n"),
+            "world.yaml:2: `file`: expected an OBJ file of corners that are not all in one plane, "
+            "found 'flat.obj'");
+  EXPECT_EQ(complaint("hulls:\n  - {file: broken.obj}\n"),
+            "broken.obj:2: expected `v x y z` with three numbers");
+  EXPECT_EQ(complaint("materials:\n  ice: {friction: 0.1}\nground:\n  material: snow\n"),
+            "world.yaml:4: `material`: expected one of the world's `materials`: ice, found 'snow'");
+  EXPECT_EQ(complaint("materials:\n  ice: {restitution: 2}\n"),
+            "world.yaml:2: `restitution`: expected a number in [0, 1], found '2'");
+  EXPECT_EQ(complaint("boxes:\n  - {name: a, size: [1, 1, 1]}\n  - {name: a, size: [1, 1, 1]}\n"),
             "world.yaml:3: `name`: expected each name once, found 'a' again");
 }
 

@@ -182,6 +182,29 @@ TEST_P(Standing, ANaoStaysWhereItStands) {
 
 INSTANTIATE_TEST_SUITE_P(BoxRampPlane, Standing, testing::Values(0, 1, 2));
 
+// On the flat top of a hull as on a box of the same size: to the last micrometre.
+TEST(Obstacles, AHullBearsABlock) {
+  std::vector<double> height;
+  for (const bool hull : {false, true}) {
+    auto world = emptyWorld();
+    Obstacle table;
+    table.shape.kind = hull ? Shape::Kind::Hull : Shape::Kind::Box;
+    table.shape.size = Vec3(1, 1, 0.4);
+    std::vector<Vec3> corners;
+    for (int i = 0; i < 8; ++i) {
+      corners.emplace_back(i & 1 ? 0.5 : -0.5, i & 2 ? 0.5 : -0.5, i & 4 ? 0.2 : -0.2);
+    }
+    table.shape.hull = std::make_shared<const Hull>(calcHull(corners));
+    table.shape.X_BS = translation(Vec3(0, 0, 0.2));
+    world->obstacles = {table};
+    RobotBody body({*test::block(1, Vec3(0.2, 0.2, 0.1)), *world});
+    run(body, 2);
+    height.push_back(body.tree().q[6]);
+  }
+  EXPECT_NEAR(height[0], 0.45, 1e-3);
+  EXPECT_NEAR(height[1], height[0], 1e-6);
+}
+
 TEST(Obstacles, AFallingNaoLeansOnAWall) {
   auto world = emptyWorld();
   Obstacle wall;

@@ -76,6 +76,27 @@ TEST(ShapeGap, IsTheSameFromBothSides) {
   }
 }
 
+// A box by another name.
+TEST(ShapeGap, AHullIsAsFarAsTheBoxOfItsCorners) {
+  Random random(6);
+  for (int trial = 0; trial < 400; ++trial) {
+    const Shape box = anyShape(random, Shape::Kind::Box);
+    Shape hull = box;
+    std::vector<Vec3> corners;
+    for (int i = 0; i < 8; ++i) {
+      const Vec3 side(i & 1 ? 0.5 : -0.5, i & 2 ? 0.5 : -0.5, i & 4 ? 0.5 : -0.5);
+      corners.push_back(side.cwiseProduct(box.size));
+    }
+    hull.kind = Shape::Kind::Hull;
+    hull.hull = std::make_shared<const Hull>(calcHull(corners));
+    const Shape other = anyShape(random, kKinds[trial % 4]);
+    const Pose X_WA = anyPose(random);
+    const Pose X_WB = anyPose(random);
+    ASSERT_NEAR(calcShapeGap(hull, X_WA, other, X_WB).distance,
+                calcShapeGap(box, X_WA, other, X_WB).distance, 1e-9);
+  }
+}
+
 TEST(ShapeGap, OverlapIsHowFarTheyMustPart) {
   Shape sphere;
   sphere.size.x() = 0.1;
