@@ -25,12 +25,12 @@ void Imu::sample(const std::vector<BodyMotion>& motion, Duration cycle, SensorFr
 void Imu::fuse(Duration cycle, SensorFrame& frame) {
   if (!state_.started) state_.down_T = frame.accelerometer.normalized();
   state_.started = true;
-  turn(frame, toSeconds(cycle));
   if (model_.gyro_axes < 3) frame.gyroscope.z() = 0;
+  turn(frame, toSeconds(cycle));
   const Vec3& down = state_.down_T;
   frame.angle_x = std::atan2(-down.y(), -down.z());
   frame.angle_y = std::atan2(down.x(), std::hypot(down.y(), down.z()));
-  frame.angle_z = state_.yaw;
+  frame.angle_z = model_.gyro_axes < 3 ? 0 : state_.yaw;
 }
 
 void Imu::archive(Archive& archive) {

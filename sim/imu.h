@@ -27,8 +27,8 @@ class Imu {
   /// Fills in what accelerometer and gyroscope measure, on three axes; `cycle` is the time since
   /// the sample before.
   void sample(const std::vector<BodyMotion>& motion, Duration cycle, SensorFrame& frame);
-  /// Then fills in the angles that the chest board makes of these two, and leaves the axes of the
-  /// gyroscope that this robot has.
+  /// Then leaves the axes of the gyroscope that this robot has, and fills in the angles that the
+  /// chest board makes of both. With two axes it knows no yaw (0), as the boards of V3.x and V4.
   void fuse(Duration cycle, SensorFrame& frame);
 
  private:
