@@ -25,6 +25,14 @@ void addSensor(Views& views, const std::string& key, F read, KeyType type = KeyT
                 }};
 }
 
+// A sensor that reports a whole number.
+template <class F>
+void addInteger(Views& views, const std::string& key, F read) {
+  views[key] = {KeyType::Data, [read](const SensorFrame& sensors, const MotionState& /*state*/) {
+                  return Value(static_cast<std::int32_t>(read(sensors)));
+                }};
+}
+
 // Something that is commanded: `read` maps a MotionState to a value.
 template <class F>
 void addState(Views& views, const std::string& key, F read, KeyType type = KeyType::Data) {
@@ -47,6 +55,8 @@ void addJoint(const std::string& name, Joint joint, Views& views) {
             [joint](const SensorFrame& sensors) { return sensors.current[joint]; });
   addSensor(views, device + "Temperature/Sensor/Value",
             [joint](const SensorFrame& sensors) { return sensors.temperature[joint]; });
+  addInteger(views, device + "Temperature/Sensor/Status",
+             [joint](const SensorFrame& sensors) { return sensors.overheating[joint]; });
 }
 
 // What stays at room temperature: the motors that have done least show it.
@@ -103,22 +113,54 @@ bool touches(const SensorFrame& sensors, Foot foot) {
   return sensors.feet[index(foot)].total > kContactWeight * kGravity;
 }
 
-// How a receiver shows that further echoes did not come: its greatest distance, or 0 while the
-// sonar is off (NAOqi 2.1.4.13 documentation, sonar_robot.html: V3.x and V4 reach 2.55 m).
-constexpr double kNoEcho = 2.55;  // [m]
-
+// What the receiver reports stays as it is: its greatest distance where no (further) echo came, 0
+// while the sonar is off (NAOqi 2.1.4.13 documentation, sonar).
 void addSonar(const std::string& side, std::size_t receiver, Views& views) {
   const std::string key = std::string(kDevices) + "US/" + side + "/Sensor/Value";
-  addSensor(views, key, [receiver](const SensorFrame& sensors) { return sensors.sonar[receiver][0]; });
-  constexpr int kFurtherEchoes = 9;
-  for (int echo = 1; echo <= kFurtherEchoes; ++echo) {
-    addSensor(views, key + std::to_string(echo), [receiver, echo](const SensorFrame& sensors) {
-      const SonarEchoes& echoes = sensors.sonar[receiver];
-      const double distance = echoes[static_cast<std::size_t>(echo)];
-      if (echoes[0] <= 0) return 0.0;
-      return distance > 0 ? distance : kNoEcho;
-    });
+  for (std::size_t echo = 0; echo < kSonarEchoes; ++echo) {
+    addSensor(views, echo == 0 ? key : key + std::to_string(echo),
+              [receiver, echo](const SensorFrame& s) { return s.sonar[receiver][echo]; });
   }
+}
+
+// A tactile sensor and the event it raises.
+template <class F>
+void addTouch(Views& views, const std::string& device, const std::string& event, F touched) {
+  const auto read = [touched](const SensorFrame& sensors) { return touched(sensors) ? 1 : 0; };
+  addSensor(views, kDevices + device + "/Sensor/Value", read);
+  addSensor(views, event, read, KeyType::Event);
+}
+
+void addHead(Views& views) {
+  const std::array<const char*, 3> places = {"Front", "Middle", "Rear"};
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::string place = places[i];
+    addTouch(views, "Head/Touch/" + place, place + "TactilTouched",
+             [i](const SensorFrame& sensors) { return sensors.touch.head[i]; });
+  }
+}
+
+void addHands(Views& views) {
+  const std::array<const char*, 2> sides = {"Left", "Right"};
+  const std::array<const char*, 3> places = {"Left", "Back", "Right"};
+  for (std::size_t hand = 0; hand < sides.size(); ++hand) {
+    const std::string side = sides[hand];
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const std::string place = places[i];
+      addTouch(views, side.substr(0, 1) + "Hand/Touch/" + place, "Hand" + side + place + "Touched",
+               [hand, i](const SensorFrame& sensors) { return sensors.touch.hand[hand][i]; });
+    }
+  }
+}
+
+void addBattery(Views& views) {
+  const std::string battery = std::string(kDevices) + "Battery/";
+  addSensor(views, battery + "Charge/Sensor/Value",
+            [](const SensorFrame& sensors) { return sensors.battery.charge; });
+  addSensor(views, battery + "Current/Sensor/Value",
+            [](const SensorFrame& sensors) { return sensors.battery.current; });
+  addSensor(views, battery + "Temperature/Sensor/Value",
+            [](const SensorFrame& sensors) { return sensors.battery.temperature; });
 }
 
 }  // namespace
@@ -188,9 +230,7 @@ void addFootViews(const RobotModel& model, Views& views) {
 
 void addBoardViews(const RobotModel& model, Views& views) {
   const std::string devices = kDevices;
-  addSensor(views, devices + "Battery/Charge/Sensor/Value",
-            [](const SensorFrame& sensors) { return sensors.battery.charge; });
-  addSensor(views, devices + "Battery/Temperature/Sensor/Value", ambient);
+  addBattery(views);
   views["DCM/Time"] = {KeyType::Data, [](const SensorFrame& sensors, const MotionState&) {
                          using std::chrono::milliseconds;
                          const auto time = sensors.time.time_since_epoch();
@@ -199,8 +239,10 @@ void addBoardViews(const RobotModel& model, Views& views) {
                        }};
   if (model.feet.size() != 2) return;  // what follows is on a Nao
   addSensor(views, devices + "Head/Temperature/Sensor/Value", ambient);
-  addSensor(views, devices + "ChestBoard/Button/Sensor/Value",
-            [](const SensorFrame& sensors) { return sensors.touch.chest_button ? 1 : 0; });
+  addTouch(views, "ChestBoard/Button", "ChestButtonPressed",
+           [](const SensorFrame& sensors) { return sensors.touch.chest_button; });
+  addHead(views);
+  if (model.findJoint("LHand")) addHands(views);
   addSonar("Left", 0, views);
   addSonar("Right", 1, views);
   addSensor(views, devices + "US/Sensor/Value", [](const SensorFrame& sensors) {

@@ -12,7 +12,9 @@ namespace nao::memory {
 
 using Views = std::map<std::string, View>;
 
-/// Angles [rad], currents [A], temperatures [deg C] and stiffness of every motor.
+/// Angles [rad], currents [A], temperatures [deg C] and stiffness of every motor. Position/Sensor
+/// is the encoder on the motor's side of the gear: within the gear's play it follows the motor,
+/// not the limb. Temperature/Sensor/Status says how far the board holds back, 0 not at all to 3.
 void addJointViews(const RobotModel& model, Views& views);
 
 /// ALMotion's own keys, Motion/<what>/<Sensor|Command>/<joint>, and whether it is awake or fell.
@@ -24,7 +26,8 @@ void addInertialViews(Views& views);
 /// Force sensors [kg], centres of pressure [m], bumpers and contact of the feet.
 void addFootViews(const RobotModel& model, Views& views);
 
-/// Sonar [m], battery, chest button, head.
+/// Sonar [m], battery (charge 0 to 1, current [A], temperature [deg C]), chest button, tactile
+/// sensors of head and hands, each with its event.
 void addBoardViews(const RobotModel& model, Views& views);
 
 }  // namespace nao::memory

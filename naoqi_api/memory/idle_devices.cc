@@ -62,18 +62,6 @@ void addLeds(const RobotModel& model, Keys& keys) {
   addLed(keys, "ChestBoard", "State");
 }
 
-void addTouch(const RobotModel& model, Keys& keys) {
-  for (const std::string part : {"Front", "Middle", "Rear"}) {
-    add(keys, "Head", "Touch/" + part + "/Sensor");
-  }
-  if (!hasHands(model)) return;
-  for (const char* hand : {"LHand", "RHand"}) {
-    for (const std::string part : {"Back", "Left", "Right"}) {
-      add(keys, hand, "Touch/" + part + "/Sensor");
-    }
-  }
-}
-
 void addDiagnosis(Keys& keys, const std::string& device) {
   for (const std::string kind : {"Active", "Passive"}) {
     keys.emplace_back("Diagnosis/" + kind + "/" + device + "/Error", 0);
@@ -122,29 +110,11 @@ Keys idleDevices(const RobotModel& model) {
   for (const Actuator& actuator : model.actuators) {
     addDiagnosis(keys, actuator.name);
     keys.emplace_back("Diagnosis/Temperature/" + actuator.name + "/Error", 0);
-    keys.emplace_back(kDevices + actuator.name + "/Temperature/Sensor/Status", 0);
   }
-  add(keys, "Battery", "Current/Sensor");
   if (!isNao(model)) return keys;
   addLeds(model, keys);
-  addTouch(model, keys);
   addDiagnoses(model, keys);
   add(keys, "US", "Actuator");
-  return keys;
-}
-
-Keys idleEvents(const RobotModel& model) {
-  Keys keys;
-  if (!isNao(model)) return keys;
-  for (const std::string part : {"Front", "Middle", "Rear"}) {
-    keys.emplace_back(part + "TactilTouched", 0.0F);
-  }
-  if (!hasHands(model)) return keys;
-  for (const std::string hand : kSides) {
-    for (const std::string part : {"Back", "Left", "Right"}) {
-      keys.emplace_back("Hand" + hand + part + "Touched", 0.0F);
-    }
-  }
   return keys;
 }
 

@@ -12,7 +12,6 @@ RobotMemory::RobotMemory(const RobotModel& model, std::shared_ptr<const motion::
     : store_(std::move(clock)), devices_(model, std::move(ports)) {
   for (const auto& [key, value] : idleDevices(model)) store_.insert(key, value);
   for (const auto& [key, value] : fixedKeys(model, name)) store_.insert(key, value);
-  for (const auto& [key, value] : idleEvents(model)) store_.raiseEvent(key, value);
 }
 
 std::optional<Stamped> RobotMemory::read(const std::string& key,

@@ -47,6 +47,7 @@ class DeviceKeysTest : public ::testing::Test {
     frame.angle = JointArray<double>(model_->jointCount());
     frame.current = JointArray<double>(model_->jointCount());
     frame.temperature = JointArray<double>(model_->jointCount(), 27);
+    frame.overheating = JointArray<std::uint8_t>(model_->jointCount());
     return frame;
   }
 
@@ -171,12 +172,48 @@ TEST_F(DeviceKeysTest, ButtonsAndBumpersShowOneWhenPressed) {
   EXPECT_EQ(keys_.findView("RightBumperPressed")->type, KeyType::Event);
 }
 
-TEST_F(DeviceKeysTest, FurtherEchoesAreFarAwayOnceTheSonarMeasures) {
-  frame_.sonar[0][0] = 0.8;
+TEST_F(DeviceKeysTest, EveryEchoOfBothReceiversHasItsKey) {
+  for (std::size_t echo = 0; echo < kSonarEchoes; ++echo) {
+    frame_.sonar[0][echo] = 0.3 + 0.1 * static_cast<double>(echo);
+    frame_.sonar[1][echo] = 1.3 + 0.1 * static_cast<double>(echo);
+  }
   publish();
-  EXPECT_FLOAT_EQ(read("Device/SubDeviceList/US/Left/Sensor/Value"), 0.8F);
-  EXPECT_FLOAT_EQ(read("Device/SubDeviceList/US/Left/Sensor/Value9"), 2.55F);
-  EXPECT_FLOAT_EQ(read("Device/SubDeviceList/US/Right/Sensor/Value1"), 0);
+  const std::string device = "Device/SubDeviceList/US/";
+  EXPECT_FLOAT_EQ(read(device + "Left/Sensor/Value"), 0.3F);
+  EXPECT_FLOAT_EQ(read(device + "Left/Sensor/Value9"), 1.2F);
+  EXPECT_FLOAT_EQ(read(device + "Right/Sensor/Value"), 1.3F);
+  EXPECT_FLOAT_EQ(read(device + "Right/Sensor/Value4"), 1.7F);
+  EXPECT_FLOAT_EQ(read(device + "Sensor/Value"), 0.3F);
+}
+
+TEST_F(DeviceKeysTest, BatteryKeysShowTheBattery) {
+  frame_.battery = {0.75, -2.5, 24, 31};
+  publish();
+  const std::string battery = "Device/SubDeviceList/Battery/";
+  EXPECT_FLOAT_EQ(read(battery + "Charge/Sensor/Value"), 0.75F);
+  EXPECT_FLOAT_EQ(read(battery + "Current/Sensor/Value"), -2.5F);
+  EXPECT_FLOAT_EQ(read(battery + "Temperature/Sensor/Value"), 31);
+}
+
+TEST_F(DeviceKeysTest, AHotMotorSaysSoAndItsNeighbourDoesNot) {
+  frame_.overheating[*model_->findJoint("LKneePitch")] = 2;
+  publish();
+  EXPECT_EQ(keys_.find("Device/SubDeviceList/LKneePitch/Temperature/Sensor/Status"), Value(2));
+  EXPECT_EQ(keys_.find("Device/SubDeviceList/RKneePitch/Temperature/Sensor/Status"), Value(0));
+}
+
+TEST_F(DeviceKeysTest, EachPlaceOfTheHeadHasItsKeyAndItsEvent) {
+  const std::array<std::string, 3> places = {"Front", "Middle", "Rear"};
+  for (std::size_t touched = 0; touched < places.size(); ++touched) {
+    frame_.touch.head = {};
+    frame_.touch.head[touched] = true;
+    publish();
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const float expected = i == touched ? 1 : 0;
+      EXPECT_EQ(read("Device/SubDeviceList/Head/Touch/" + places[i] + "/Sensor/Value"), expected);
+      EXPECT_EQ(read(places[i] + "TactilTouched"), expected);
+    }
+  }
 }
 
 TEST_F(DeviceKeysTest, AwakeAndFallenAreShownAsEvents) {
@@ -191,10 +228,19 @@ class DeviceKeysOfHumanHands : public DeviceKeysTest {
   DeviceKeysOfHumanHands() : DeviceKeysTest("nao_h25_v50") {}
 };
 
+TEST_F(DeviceKeysOfHumanHands, EachPlaceOfAHandHasItsKeyAndItsEvent) {
+  frame_.touch.hand[1] = {false, true, false};
+  publish();
+  EXPECT_EQ(read("Device/SubDeviceList/RHand/Touch/Back/Sensor/Value"), 1);
+  EXPECT_EQ(read("Device/SubDeviceList/RHand/Touch/Left/Sensor/Value"), 0);
+  EXPECT_EQ(read("Device/SubDeviceList/LHand/Touch/Back/Sensor/Value"), 0);
+  EXPECT_EQ(read("HandRightBackTouched"), 1);
+  EXPECT_EQ(read("HandLeftBackTouched"), 0);
+}
+
 std::set<std::string> storedKeys(const RobotModel& model) {
   std::set<std::string> names;
   for (const auto& [key, value] : idleDevices(model)) EXPECT_TRUE(names.insert(key).second) << key;
-  for (const auto& [key, value] : idleEvents(model)) EXPECT_TRUE(names.insert(key).second) << key;
   for (const auto& [key, value] : fixedKeys(model, "nao")) {
     EXPECT_TRUE(names.insert(key).second) << key;
   }
@@ -206,10 +252,8 @@ TEST_F(DeviceKeysTest, NoKeyIsBothStoredAndMeasured) {
 }
 
 TEST_F(DeviceKeysTest, OnlyRobotsWithHandsHaveTheirKeys) {
-  EXPECT_EQ(storedKeys(*model_).count("Device/SubDeviceList/LHand/Touch/Back/Sensor/Value"), 0U);
-  const auto with_hands = test::robot("nao_h25_v50");
-  EXPECT_EQ(storedKeys(*with_hands).count("Device/SubDeviceList/LHand/Touch/Back/Sensor/Value"),
-            1U);
+  EXPECT_EQ(keys_.findView("Device/SubDeviceList/LHand/Touch/Back/Sensor/Value"), nullptr);
+  EXPECT_EQ(keys_.findView("HandLeftBackTouched"), nullptr);
 }
 
 TEST_F(DeviceKeysTest, NamesTheBodyAsARobotDoes) {
