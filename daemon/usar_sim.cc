@@ -64,6 +64,15 @@ rpc::Service UsarSim::describe() {
       .method("push", this, &UsarSim::push, "Pushes this robot's torso.",
               Argument{"x", "Force in the world [N]."}, Argument{"y", "[N]"}, Argument{"z", "[N]"},
               Argument{"duration", "[s]"})
+      .method("press", this, &UsarSim::press,
+              "A finger on a bumper, tactile sensor or button of this robot.",
+              Argument{"sensor",
+                       "NaoQi's device name: ChestBoard/Button, Head/Touch/Front, "
+                       "LFoot/Bumper/Left, LHand/Touch/Back and so on."},
+              Argument{"duration", "[s]"})
+      .method("press", this, &UsarSim::pressOn, "The same on a robot by its name.",
+              Argument{"robot", "One of robotNames()."}, Argument{"sensor", "As above."},
+              Argument{"duration", "[s]"})
       .method("placeRobot", this, &UsarSim::placeRobot,
               "Puts this robot down in its start posture, limp, as after switching it on.",
               Argument{"x", "[m]"}, Argument{"y", "[m]"}, Argument{"theta", "Heading [rad]."})
@@ -110,11 +119,15 @@ std::vector<std::string> UsarSim::robotNames() const {
   return names;
 }
 
-const SceneFrame::Robot& UsarSim::find(const std::string& name, const SceneFrame& scene) const {
-  for (const SceneFrame::Robot& robot : scene.robots) {
-    if (robot.name == name) return robot;
+std::size_t UsarSim::findIndex(const std::string& name, const SceneFrame& scene) const {
+  for (std::size_t i = 0; i < scene.robots.size(); ++i) {
+    if (scene.robots[i].name == name) return i;
   }
   throw CallError("UsarSim: there is no robot " + name);
+}
+
+const SceneFrame::Robot& UsarSim::find(const std::string& name, const SceneFrame& scene) const {
+  return scene.robots[findIndex(name, scene)];
 }
 
 std::vector<float> UsarSim::floorPose() const {
@@ -188,6 +201,21 @@ UsarSim::Pending UsarSim::push(double x, double y, double z, double duration) {
   const Vec3 force(checked(x, "x", kStrong), checked(y, "y", kStrong), checked(z, "z", kStrong));
   return ask(runtime::WorldRequest(
       runtime::PushRobot{robot_, force, fromSeconds(checked(duration, "duration", kLong))}));
+}
+
+UsarSim::Pending UsarSim::press(const std::string& sensor, double duration) {
+  return pressSensor(robot_, sensor, duration);
+}
+
+UsarSim::Pending UsarSim::pressOn(const std::string& robot, const std::string& sensor,
+                                  double duration) {
+  return pressSensor(findIndex(robot, *truth_.get()), sensor, duration);
+}
+
+UsarSim::Pending UsarSim::pressSensor(std::size_t robot, const std::string& sensor,
+                                      double duration) {
+  return ask(runtime::WorldRequest(
+      runtime::PressSensor{robot, sensor, fromSeconds(checked(duration, "duration", kLong))}));
 }
 
 UsarSim::Pending UsarSim::placeRobot(double x, double y, double theta) {

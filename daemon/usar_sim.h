@@ -54,6 +54,8 @@ class UsarSim {
   Pending setSpeed(double speed);
   Pending reset();
   Pending push(double x, double y, double z, double duration);
+  Pending press(const std::string& sensor, double duration);
+  Pending pressOn(const std::string& robot, const std::string& sensor, double duration);
   Pending placeRobot(double x, double y, double theta);
   Pending placeBall(double x, double y, double z);
   Pending snapshot(const std::string& name);
@@ -61,6 +63,8 @@ class UsarSim {
   Pending dropSnapshot(const std::string& name);
 
   Pending ask(decltype(LoopRequest::action) action);
+  Pending pressSensor(std::size_t robot, const std::string& sensor, double duration);
+  std::size_t findIndex(const std::string& name, const SceneFrame& scene) const;
   const SceneFrame::Robot& find(const std::string& name, const SceneFrame& scene) const;
 
   RobotLoop& loop_;

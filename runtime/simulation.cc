@@ -105,6 +105,10 @@ void Simulation::apply(const WorldRequest& request) {
                           checkIndex(r.robot, robots_.size(), "robot");
                           world_.push(r.robot, r.force_W, r.duration);
                         },
+                        [this](const PressSensor& r) {
+                          checkIndex(r.robot, robots_.size(), "robot");
+                          world_.press(r.robot, r.sensor, r.duration);
+                        },
                         [this](const PlaceRobot& r) {
                           checkIndex(r.robot, robots_.size(), "robot");
                           world_.placeRobot(r.robot, r.pose);

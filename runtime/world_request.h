@@ -14,6 +14,12 @@ struct PushRobot {
   Vec3 force_W = Vec3::Zero();  // [N] on the torso
   Duration duration{};
 };
+/// A finger on a bumper, tactile sensor or button, by NaoQi's device name ("Head/Touch/Front").
+struct PressSensor {
+  std::size_t robot = 0;
+  std::string sensor;
+  Duration duration{};
+};
 struct PlaceRobot {
   std::size_t robot = 0;
   Pose2 pose;
@@ -39,7 +45,7 @@ struct DropSnapshot {
 };
 
 /// What changes the world from outside: the simulator's user, never a NaoQi service.
-using WorldRequest = std::variant<PushRobot, PlaceRobot, PlaceBall, ResetWorld, TakeSnapshot,
-                                  RestoreSnapshot, DropSnapshot>;
+using WorldRequest = std::variant<PushRobot, PressSensor, PlaceRobot, PlaceBall, ResetWorld,
+                                  TakeSnapshot, RestoreSnapshot, DropSnapshot>;
 
 }  // namespace nao::runtime

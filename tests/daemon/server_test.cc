@@ -212,6 +212,29 @@ TEST_F(ServerTest, AClientTakesASnapshotMovesAndGoesBack) {
   EXPECT_NE(usar_sim.ask("snapshot", {std::string(101, 'x')}, "v").findText(), nullptr);
 }
 
+TEST_F(ServerTest, APressIsSeenByAlMemoryWhileItLasts) {
+  TcpClient client(running_.port());
+  UsarSimClient usar_sim(client);
+  const std::uint32_t memory = client.service("ALMemory");
+  const std::uint32_t get_data = client.method(memory, "getData");
+  const auto read = [&](const std::string& key) {
+    return client.answer(client.call({memory, 1, get_data}, Value::tuple({key})), "m").to<float>();
+  };
+  const std::string devices = "Device/SubDeviceList/";
+  for (const std::string sensor : {"ChestBoard/Button", "Head/Touch/Front", "LFoot/Bumper/Left"}) {
+    const std::string key = devices + sensor + "/Sensor/Value";
+    usar_sim.ask("pause", {}, "v");
+    usar_sim.ask("press", {sensor, 0.1}, "v");
+    usar_sim.ask("step", {std::int64_t{20}}, "v");  // 40 ms
+    EXPECT_EQ(read(key), 1) << key;
+    usar_sim.ask("step", {std::int64_t{50}}, "v");
+    EXPECT_EQ(read(key), 0) << key;
+  }
+  const Value error = usar_sim.ask("press", {"LHand/Touch/Back", 0.1}, "v");  // an H21
+  ASSERT_NE(error.findText(), nullptr);
+  EXPECT_NE(error.findText()->find("Head/Touch/Front"), std::string::npos) << *error.findText();
+}
+
 TEST(Daemon, SaysWhatItsSeedHasDrawn) {
   Options options = optionsFor({{"nao", "nao_h21_v33", {}}});
   options.seed = 7;
