@@ -141,11 +141,13 @@ TEST(BrokenRobot, BodyComplaintsNameTheLine) {
   };
   EXPECT_EQ(body("drives:", "efficiency: 0.7", "efficiency: 7"),
             "broken/body.yaml:@: `efficiency`: expected a number in [0.01, 1], found '7'");
-  EXPECT_EQ(body("cycle_ms", "cycle_ms", "cycle"),
-            "broken/body.yaml:@: `cycle`: unknown key, expected one of actuators, aliases, boards, "
-            "body_type, contact_spheres, coupled_limits, cycle_ms, drives, effects, feet, "
-            "fixed_base, frames, groups, imu, like, no_collision, repair_inertia, solids, sonar, "
-            "variation, version");
+  EXPECT_EQ(
+      body("cycle_ms", "cycle_ms", "cycle"),
+      "broken/body.yaml:@: `cycle`: unknown key, expected one of actuators, aliases, battery, "
+      "boards, "
+      "body_type, contact_spheres, coupled_limits, cycle_ms, drives, effects, feet, "
+      "fixed_base, frames, groups, imu, like, no_collision, repair_inertia, solids, sonar, "
+      "variation, version");
   EXPECT_EQ(body("name: LKneePitch", "LKneePitch", "LKnee"),
             "broken/body.yaml:@: `name`: expected a joint of model.urdf, or a `range` beside it, "
             "found 'LKnee'");
