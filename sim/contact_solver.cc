@@ -6,7 +6,8 @@
 namespace nao::sim {
 namespace {
 
-constexpr int kSweeps = 12;       // free choice: a heap of ten robots no longer sinks
+// Free choice: from 4 to 24 sweeps the deepest overlap in a heap of ten robots stays at 6 to 8 mm.
+constexpr int kSweeps = 8;
 constexpr double kBounce = 0.05;  // [m/s] free choice: slower approaches do not come back
 constexpr double kMending = 0.2;  // free choice: part of a rigid overlap that goes per step
 
