@@ -242,7 +242,9 @@ TEST(Daemon, SaysWhatItsSeedHasDrawn) {
   TcpClient client(running.port());
   UsarSimClient usar_sim(client);
   EXPECT_EQ(usar_sim.ask("seed", {}, "L").to<std::int64_t>(), 7);
-  ASSERT_NE(usar_sim.ask("draw", {}, "{sd}").find<Value::Map>(), nullptr);
+  const Value draw = usar_sim.ask("draw", {}, "{sd}");
+  ASSERT_NE(draw.find<Value::Map>(), nullptr);
+  EXPECT_GT(draw.find<Value::Map>()->entries.size(), 20U);  // a zero of every joint, the floor, the start
 }
 
 TEST_F(ServerTest, MutatedFramesNeverStopIt) {
