@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 
 #include "core/random.h"
 #include "sim/robot_body.h"
@@ -67,7 +68,9 @@ TEST_P(EveryRobot, SpeedsUpAsInSimbody) {
     worst = std::max(worst, error.cwiseAbs().maxCoeff() / expected.cwiseAbs().maxCoeff());
   }
   EXPECT_LT(worst, 1e-8);
-  RecordProperty("worst", std::to_string(worst));
+  std::ostringstream figure;
+  figure << worst;
+  RecordProperty("worst", figure.str());
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, EveryRobot, testing::ValuesIn(shippedRobots()),
