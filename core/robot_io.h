@@ -6,6 +6,7 @@
 
 #include "core/frames.h"
 #include "core/joint.h"
+#include "core/leds.h"
 #include "core/sim_time.h"
 
 namespace nao {
@@ -63,6 +64,7 @@ struct SensorFrame {
   std::array<SonarEchoes, 2> sonar{};    // left, right receiver
   BatteryState battery;
   TouchState touch;
+  LedState leds{};  // as their boards show them
 };
 
 }  // namespace nao

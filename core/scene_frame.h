@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/frames.h"
+#include "core/leds.h"
 #include "core/robot_model.h"
 #include "core/sim_time.h"
 #include "core/world_model.h"
@@ -18,6 +19,7 @@ struct SceneFrame {
     std::string name;
     std::shared_ptr<const RobotModel> model;
     std::vector<Pose> X_WB;  // by body of the model
+    LedState leds{};         // by ledNames()
   };
   struct Ball {
     double radius = 0;  // [m]

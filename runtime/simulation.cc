@@ -47,6 +47,9 @@ void Simulation::tickDueRobots() {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const Duration cycle = robots_[i]->model().cycle;
     if (world_.now().time_since_epoch() % cycle != Duration::zero()) continue;
+    for (const LedOrder& order : robots_[i]->ports()->leds.drain()) {
+      world_.setLeds(i, order.leds, order.brightness);
+    }
     world_.setCommand(i, robots_[i]->tick(world_.readSensors(i)));
     if (i == 0) truth_.publish(world_.scene());
   }

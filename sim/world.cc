@@ -158,6 +158,9 @@ void World::press(std::size_t robot, const std::string& sensor, Duration duratio
   for (const std::string& name : touch.names()) names += (names.empty() ? "" : ", ") + name;
   throw InputError("press: expected one of " + names + "; found '" + sensor + "'");
 }
+bool World::setLeds(std::size_t robot, const std::string& leds, float brightness) {
+  return impl_->robots_.at(robot)->setLeds(leds, brightness);
+}
 void World::placeRobot(std::size_t robot, const Pose2& pose, const JointArray<double>* angles) {
   impl_->robots_.at(robot)->place(pose, angles);
 }

@@ -84,6 +84,9 @@ class World {
   /// A finger on a bumper, tactile sensor or button, by NaoQi's device name ("Head/Touch/Front").
   /// @throws InputError that lists the names this robot has.
   void press(std::size_t robot, const std::string& sensor, Duration duration);
+  /// Lights some of the robot's lights (see findLeds()): `brightness` 0 dark to 1, held within.
+  /// False if it has none of that name.
+  bool setLeds(std::size_t robot, const std::string& leds, float brightness);
   /// Puts a robot down at rest in its start posture, or in `angles`.
   void placeRobot(std::size_t robot, const Pose2& pose, const JointArray<double>* angles = nullptr);
   /// Puts a ball there; one that would be in the ground is lifted onto it, and one that lies on it

@@ -48,7 +48,8 @@ WorldRobot::WorldRobot(const RobotSetup& setup, const WorldModel& world,
     : setup_(setup),
       effects_(makeEffects(setup, options)),
       body_(makePlan(setup, world, options, effects_), options.mode),
-      sensors_(*setup.model, body_.plan().gravity) {
+      sensors_(*setup.model, body_.plan().gravity),
+      led_names_(ledNames(*setup.model)) {
   reset();
 }
 
@@ -65,6 +66,7 @@ void WorldRobot::place(const Pose2& pose, const JointArray<double>* angles) {
   effects_.restart();
   sensors_.reset();
   push_ = {};
+  leds_ = {};
 }
 
 void WorldRobot::reset() {
@@ -100,12 +102,21 @@ const DriveTerms* WorldRobot::calcTerms(SimTime now, double h) {
   return &terms_;
 }
 
+bool WorldRobot::setLeds(const std::string& leds, float brightness) {
+  const std::vector<std::size_t> meant = findLeds(led_names_, leds);
+  const float level = brightness > 0 ? std::min(brightness, 1.0F) : 0;  // not a number: dark
+  for (const std::size_t led : meant) leds_[led] = level;
+  return !meant.empty();
+}
+
 SensorFrame WorldRobot::readSensors(const Surroundings& around, SimTime now) {
-  return sensors_.sample(around, now, effects_, watch_);
+  SensorFrame frame = sensors_.sample(around, now, effects_, watch_);
+  frame.leds = leds_;
+  return frame;
 }
 
 SceneFrame::Robot WorldRobot::scene() const {
-  SceneFrame::Robot robot{setup_.name, setup_.model, {}};
+  SceneFrame::Robot robot{setup_.name, setup_.model, {}, leds_};
   for (const BodyMotion& body : body_.motion()) {
     Pose X_WB = translation(body.p_WB);
     X_WB.linear() = body.R_WB;
@@ -125,6 +136,7 @@ void WorldRobot::archive(Archive& archive) {
   archive.value(sent_at_);
   archive.numbers(push_.f_W);
   archive.value(push_.until);
+  archive.value(leds_);
 }
 
 }  // namespace nao::sim

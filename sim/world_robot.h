@@ -30,6 +30,7 @@ class WorldRobot {
   void reset();
 
   void setCommand(const JointCommand& command, SimTime now);
+  bool setLeds(const std::string& leds, float brightness);
   void push(const Vec3& force_W, SimTime until) { push_ = {force_W, until}; }
 
   /// Lets effects, motors and `external` forces act from `now` for `step`.
@@ -59,6 +60,8 @@ class WorldRobot {
   JointCommand followed_;  // by the motors, after the effects
   DriveTerms terms_;
   Push push_;
+  std::vector<std::string> led_names_;
+  LedState leds_{};
   const PhaseWatch* watch_ = nullptr;
 };
 

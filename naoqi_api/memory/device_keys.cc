@@ -13,6 +13,7 @@ DeviceKeys::DeviceKeys(const RobotModel& model, std::shared_ptr<const motion::Ro
   addInertialViews(views_);
   addFootViews(model, views_);
   addBoardViews(model, views_);
+  addLedViews(model, views_);
 }
 
 std::optional<rpc::Value> DeviceKeys::find(const std::string& key, const Frames& frames) const {

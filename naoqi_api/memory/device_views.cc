@@ -250,4 +250,12 @@ void addBoardViews(const RobotModel& model, Views& views) {
   });
 }
 
+void addLedViews(const RobotModel& model, Views& views) {
+  const std::vector<std::string> names = ledNames(model);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    addSensor(views, kDevices + names[i] + "/Actuator/Value",
+              [i](const SensorFrame& sensors) { return sensors.leds[i]; });
+  }
+}
+
 }  // namespace nao::memory

@@ -30,4 +30,7 @@ void addFootViews(const RobotModel& model, Views& views);
 /// sensors of head and hands, each with its event.
 void addBoardViews(const RobotModel& model, Views& views);
 
+/// How bright each light is, 0 to 1.
+void addLedViews(const RobotModel& model, Views& views);
+
 }  // namespace nao::memory

@@ -1,7 +1,8 @@
 #include "naoqi_api/memory/idle_devices.h"
 
 #include <array>
-#include <cstdlib>
+
+#include "core/leds.h"
 
 namespace nao::memory {
 namespace {
@@ -9,57 +10,12 @@ namespace {
 using rpc::Value;
 
 constexpr char kDevices[] = "Device/SubDeviceList/";
-constexpr std::array<const char*, 2> kSides = {"Left", "Right"};
-constexpr std::array<const char*, 3> kColors = {"Red", "Green", "Blue"};
 
 bool isNao(const RobotModel& model) { return model.feet.size() == 2; }
 bool hasHands(const RobotModel& model) { return model.findJoint("LHand").has_value(); }
 
-// 3.3 of "V3.3"; 0 if the file says something else.
-double versionOf(const RobotModel& model) {
-  const std::string& text = model.version;
-  return text.empty() || text[0] != 'V' ? 0 : std::strtod(text.c_str() + 1, nullptr);
-}
-
 void add(Keys& keys, const std::string& device, const std::string& part) {
   keys.emplace_back(kDevices + device + "/" + part + "/Value", 0.0F);
-}
-
-void addLed(Keys& keys, const std::string& device, const std::string& led) {
-  add(keys, device, "Led/" + led + "/Actuator");
-}
-
-// Eyes of 8 sectors in three colours, ears of 10 in blue.
-void addFaceLeds(Keys& keys) {
-  for (const std::string side : kSides) {
-    for (const std::string color : kColors) {
-      for (int angle = 0; angle < 360; angle += 45) {
-        addLed(keys, "Face", color + "/" + side + "/" + std::to_string(angle) + "Deg");
-      }
-    }
-    for (int angle = 0; angle < 360; angle += 36) {
-      addLed(keys, "Ears", side + "/" + std::to_string(angle) + "Deg");
-    }
-  }
-}
-
-// On the head of V4 and later.
-void addHeadLeds(Keys& keys) {
-  for (const std::string side : kSides) {
-    for (const char* number : {"0", "1", "2"}) addLed(keys, "Head", "Rear/" + side + "/" + number);
-    for (const char* number : {"0", "1"}) addLed(keys, "Head", "Front/" + side + "/" + number);
-    addLed(keys, "Head", "Middle/" + side + "/0");
-  }
-}
-
-void addLeds(const RobotModel& model, Keys& keys) {
-  addFaceLeds(keys);
-  constexpr double kFirstWithHeadLeds = 4.0;
-  if (versionOf(model) >= kFirstWithHeadLeds) addHeadLeds(keys);
-  for (const char* device : {"ChestBoard", "LFoot", "RFoot"}) {
-    for (const char* color : kColors) addLed(keys, device, color);
-  }
-  addLed(keys, "ChestBoard", "State");
 }
 
 void addDiagnosis(Keys& keys, const std::string& device) {
@@ -76,7 +32,7 @@ void addDiagnoses(const RobotModel& model, Keys& keys) {
     addDiagnosis(keys, device);
   }
   keys.emplace_back("Diagnosis/Temperature/Battery/Error", 0);
-  if (versionOf(model) >= 4.0) addDiagnosis(keys, "Head/Led");
+  if (!findLeds(ledNames(model), "BrainLeds").empty()) addDiagnosis(keys, "Head/Led");
   if (!hasHands(model)) return;
   addDiagnosis(keys, "LHand/Touch");
   addDiagnosis(keys, "RHand/Touch");
@@ -112,7 +68,7 @@ Keys idleDevices(const RobotModel& model) {
     keys.emplace_back("Diagnosis/Temperature/" + actuator.name + "/Error", 0);
   }
   if (!isNao(model)) return keys;
-  addLeds(model, keys);
+  add(keys, "ChestBoard", "Led/State/Actuator");
   addDiagnoses(model, keys);
   add(keys, "US", "Actuator");
   return keys;

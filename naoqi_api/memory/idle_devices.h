@@ -12,8 +12,8 @@ namespace nao::memory {
 using Keys = std::vector<std::pair<std::string, rpc::Value>>;
 
 /// Keys of devices that nothing drives or reads in the simulation, with the value they have while
-/// idle: LEDs and the sonar's mode (dark, 0; clients may store others), diagnosis (no error).
-/// Stored once at the start; which there are depends on body and version.
+/// idle: the sonar's mode and the state of the chest's light (0; clients may store others),
+/// diagnosis (no error). Stored once at the start; which there are depends on body and version.
 Keys idleDevices(const RobotModel& model);
 
 /// What never changes: RobotConfig/..., identities, joint limits [rad], places of the force

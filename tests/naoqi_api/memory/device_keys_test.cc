@@ -202,6 +202,18 @@ TEST_F(DeviceKeysTest, AHotMotorSaysSoAndItsNeighbourDoesNot) {
   EXPECT_EQ(keys_.find("Device/SubDeviceList/RKneePitch/Temperature/Sensor/Status"), Value(0));
 }
 
+TEST_F(DeviceKeysTest, EveryLightShowsItsOwnBrightness) {
+  const std::vector<std::string> names = ledNames(*model_);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    frame_.leds[i] = 0.01F * static_cast<float>(i);
+  }
+  publish();
+  EXPECT_EQ(names.size(), 77U);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    EXPECT_EQ(read(kPrefix + names[i] + "/Actuator/Value"), 0.01F * static_cast<float>(i));
+  }
+}
+
 TEST_F(DeviceKeysTest, EachPlaceOfTheHeadHasItsKeyAndItsEvent) {
   const std::array<std::string, 3> places = {"Front", "Middle", "Rear"};
   for (std::size_t touched = 0; touched < places.size(); ++touched) {

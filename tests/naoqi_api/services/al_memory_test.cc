@@ -149,11 +149,19 @@ TEST_F(AlMemoryTest, WhatADeviceMeasuresCanNotBeOverwritten) {
   EXPECT_EQ(call("getData", {kYaw}), Value(0.5F));
 }
 
-TEST_F(AlMemoryTest, AnIdleLedTakesAnotherValue) {
+TEST_F(AlMemoryTest, AnIdleDeviceTakesAnotherValue) {
+  const std::string mode = "Device/SubDeviceList/US/Actuator/Value";
+  EXPECT_EQ(call("getData", {mode}), Value(0.0F));
+  callUid(131, {mode, 4.0F});
+  EXPECT_EQ(call("getData", {mode}), Value(4.0F));
+}
+
+// As joints do not move for it: devices write over what others put there.
+TEST_F(AlMemoryTest, StoringAValueLightsNothing) {
   const std::string led = "Device/SubDeviceList/ChestBoard/Led/Red/Actuator/Value";
   EXPECT_EQ(call("getData", {led}), Value(0.0F));
   callUid(131, {led, 1.0F});
-  EXPECT_EQ(call("getData", {led}), Value(1.0F));
+  EXPECT_EQ(call("getData", {led}), Value(0.0F));
 }
 
 TEST_F(AlMemoryTest, TellsWhenAKeyWasWritten) {
