@@ -175,10 +175,7 @@ void Player::warnOfScript(const XarElement& box) {
 
 Timeline readXar(const std::string& text, const std::string& source, const RobotModel& model) {
   tinyxml2::XMLDocument document;
-  if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
-    throw InputError(source + ":" + std::to_string(document.ErrorLineNum()) +
-                     ": this is not well-formed XML");
-  }
+  parseXml(document, text, source);
   const tinyxml2::XMLElement* root = document.FirstChildElement("ChoregrapheProject");
   if (root == nullptr) {
     throw InputError(source + ":1: expected a <ChoregrapheProject>, the root of a behavior");

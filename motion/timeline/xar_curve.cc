@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "motion/trajectory.h"
 
@@ -11,9 +12,18 @@ namespace {
 constexpr double kDegree = M_PI / 180;
 constexpr double kSlowestFps = 0.01;
 
-// What one unit of a value is inside: a radian part of a degree, or a hand's opening.
+// What one unit of a value is inside: a radian part of a degree, or a hand's opening. A .xar
+// numbers its units (-1 and 0 degrees, 1 dimensionless), a .qianim names them.
+constexpr const char* kUnits[] = {"", "-1", "0", "1", "degree", "radian", "dimensionless"};
+
 double unitOf(const XarElement& curve, bool is_hand, const std::vector<XarElement>& keys) {
-  const bool dimensionless = curve.number("unit", -1) == 1;
+  const std::string unit = curve.text("unit");
+  if (std::find(std::begin(kUnits), std::end(kUnits), unit) == std::end(kUnits)) {
+    curve.fail("unknown unit \"" + unit.substr(0, 40) +
+               "\", expected degree, radian or dimensionless (0 or 1 in a .xar)");
+  }
+  if (unit == "radian" && !is_hand) return 1;
+  const bool dimensionless = unit == "1" || unit == "dimensionless";
   if (!is_hand && !dimensionless) return kDegree;
   for (const XarElement& key : keys) {
     if (std::abs(key.number("value")) > 1) return 0.01;
@@ -22,7 +32,8 @@ double unitOf(const XarElement& curve, bool is_hand, const std::vector<XarElemen
 }
 
 Handle readTangent(const XarElement& tangent, const XarClock& clock, double unit) {
-  const std::string type = tangent.text("interpType", "bezier_auto");
+  const std::string type =
+      tangent.text("interpType", tangent.text("editor:interpType", "bezier_auto"));
   Handle handle;
   handle.dt = tangent.number("abscissaParam", 0) / clock.fps;
   handle.dangle = tangent.number("ordinateParam", 0) * unit;

@@ -7,6 +7,12 @@
 
 namespace nao::motion {
 
+void parseXml(tinyxml2::XMLDocument& document, const std::string& text, const std::string& source) {
+  if (document.Parse(text.data(), text.size()) == tinyxml2::XML_SUCCESS) return;
+  throw InputError(source + ":" + std::to_string(document.ErrorLineNum()) +
+                   ": this is not well-formed XML");
+}
+
 XarElement XarElement::child(const char* name) const {
   return {element_ == nullptr ? nullptr : element_->FirstChildElement(name), source_};
 }
@@ -42,6 +48,12 @@ double XarElement::number(const char* name, double missing) const {
 double XarElement::number(const char* name) const {
   if (text(name).empty()) fail(this->name() + " lacks its " + name);
   return number(name, 0);
+}
+
+bool XarElement::flag(const char* name, bool missing) const {
+  const std::string word = text(name);
+  if (word == "true" || word == "false") return word == "true";
+  return number(name, missing ? 1 : 0) != 0;
 }
 
 void XarElement::fail(const std::string& message) const {

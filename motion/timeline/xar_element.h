@@ -7,6 +7,9 @@
 
 namespace nao::motion {
 
+/// Parses a motion file in XML. @throws InputError "source:line: ..." if it is not well-formed.
+void parseXml(tinyxml2::XMLDocument& document, const std::string& text, const std::string& source);
+
 /// One element of a behavior. What version 3 writes as an attribute, version 1 writes as a child
 /// element of that name; both are read alike here.
 class XarElement {
@@ -27,7 +30,7 @@ class XarElement {
   double number(const char* name, double missing) const;
   double number(const char* name) const;  // @throws InputError if missing
 
-  bool flag(const char* name, bool missing) const { return number(name, missing ? 1 : 0) != 0; }
+  bool flag(const char* name, bool missing) const;  // a number, or "true" or "false"
 
   /// @throws InputError "source:line: message".
   [[noreturn]] void fail(const std::string& message) const;

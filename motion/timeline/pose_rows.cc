@@ -1,0 +1,65 @@
+#include "motion/timeline/pose_rows.h"
+
+#include <algorithm>
+#include <set>
+
+#include "core/check.h"
+
+namespace nao::motion {
+
+PoseRows::PoseRows(const RobotModel& model, std::string source)
+    : model_(model), source_(std::move(source)) {}
+
+std::size_t PoseRows::addColumn(const std::string& joint, int line) {
+  const auto found = model_.findJoint(joint);
+  if (!found) warn(line, "this robot has no joint " + joint);
+  columns_.push_back({joint, found, {}});
+  return columns_.size() - 1;
+}
+
+bool PoseRows::isHand(std::size_t column) const {
+  const auto& joint = columns_.at(column).joint;
+  return joint && model_.actuators[index(*joint)].coordinates.empty();
+}
+
+void PoseRows::put(std::size_t column, double time, double value) {
+  Key key;
+  key.time = time;
+  key.angle = value;
+  key.before.kind = key.after.kind = Handle::Kind::Linear;
+  auto& keys = columns_.at(column).keys;
+  NAO_CHECK(keys.empty() || time > keys.back().time);
+  keys.push_back(key);
+}
+
+void PoseRows::jump(std::size_t column, double begin, double end, double value) {
+  put(column, std::min(begin + kFirstPose, (begin + end) / 2), value);
+  put(column, end, value);
+}
+
+void PoseRows::warn(int line, const std::string& sentence) {
+  builder_.warn(source_ + ":" + std::to_string(line) + ": " + sentence);
+}
+
+void PoseRows::settleFirstKey(std::vector<Key>& keys) const {
+  if (keys.empty() || keys.front().time > 0) return;
+  keys.front().time = keys.size() == 1 ? kFirstPose : std::min(kFirstPose, keys[1].time / 2);
+}
+
+Timeline PoseRows::take() {
+  std::set<std::size_t> done;
+  // The robot's own name goes first: LHipYawPitch wins over its other name RHipYawPitch.
+  for (const bool aliases : {false, true}) {
+    for (Column& column : columns_) {
+      if (!column.joint || (model_.aliases.count(column.name) != 0) != aliases) continue;
+      if (column.keys.empty() || !done.insert(index(*column.joint)).second) continue;
+      settleFirstKey(column.keys);
+      builder_.add(0, {*column.joint, column.keys});
+    }
+  }
+  if (builder_.isEmpty())
+    throw InputError(source_ + ":1: nothing here moves a joint of this robot");
+  return builder_.take();
+}
+
+}  // namespace nao::motion

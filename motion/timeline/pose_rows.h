@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/robot_model.h"
+#include "motion/timeline/timeline.h"
+
+namespace nao::motion {
+
+/// A motion as most teams write it: rows of poses at times, straight lines between. Columns are
+/// joints by name; those this robot has not are left out with a warning each. A value at time 0
+/// is reached within kFirstPose or half the time to the next one, since a motion takes time.
+class PoseRows {
+ public:
+  static constexpr double kFirstPose = 0.02;  // [s] free choice: one cycle of a V3's motion
+
+  PoseRows(const RobotModel& model, std::string source);
+
+  /// @returns the number of the column.
+  std::size_t addColumn(const std::string& joint, int line);
+  std::size_t columns() const { return columns_.size(); }
+
+  /// Whether `value` is an opening, 0 to 1, rather than an angle.
+  bool isHand(std::size_t column) const;
+
+  /// The joint is at `value` [rad, or opening of a hand] at `time` [s].
+  void put(std::size_t column, double time, double value);
+
+  /// The same, but the joint gets there at once at the beginning of the row and stays.
+  void jump(std::size_t column, double begin, double end, double value);
+
+  void warn(int line, const std::string& sentence);
+  void lastUntil(double end) { builder_.lastUntil(end); }
+
+  /// @throws InputError if no column moves a joint of this robot.
+  Timeline take();
+
+ private:
+  struct Column {
+    std::string name;
+    std::optional<Joint> joint;
+    std::vector<Key> keys;
+  };
+  void settleFirstKey(std::vector<Key>& keys) const;
+
+  const RobotModel& model_;
+  std::string source_;
+  std::vector<Column> columns_;
+  TimelineBuilder builder_;
+};
+
+}  // namespace nao::motion
