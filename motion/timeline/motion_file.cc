@@ -4,7 +4,10 @@
 #include <iterator>
 
 #include "core/check.h"
+#include "motion/timeline/hulks.h"
+#include "motion/timeline/kfm.h"
 #include "motion/timeline/kme.h"
+#include "motion/timeline/mof.h"
 #include "motion/timeline/pos.h"
 #include "motion/timeline/qianim.h"
 #include "motion/timeline/webots_motion.h"
@@ -27,6 +30,9 @@ constexpr Format kFormats[] = {
     {".motion", "#WEBOTS_MOTION", readWebotsMotion},
     {".kme", "play%", readKme},
     {".pos", "", readPos},
+    {".mof", "motion_id", readMof},
+    {".kfm", "keyFrameID", readKfm},
+    {".json", "initial_positions", readHulks},
 };
 
 // Motions without joint angles.

@@ -22,14 +22,24 @@ bool PoseRows::isHand(std::size_t column) const {
   return joint && model_.actuators[index(*joint)].coordinates.empty();
 }
 
-void PoseRows::put(std::size_t column, double time, double value) {
+void PoseRows::put(std::size_t column, double time, double value, Course course) {
+  auto& keys = columns_.at(column).keys;
+  if (!keys.empty() && time <= keys.back().time) keys.pop_back();
   Key key;
   key.time = time;
   key.angle = value;
   key.before.kind = key.after.kind = Handle::Kind::Linear;
-  auto& keys = columns_.at(column).keys;
-  NAO_CHECK(keys.empty() || time > keys.back().time);
+  if (course == Course::Level) {
+    const double third = (time - (keys.empty() ? 0 : keys.back().time)) / 3;
+    if (!keys.empty()) keys.back().after = {Handle::Kind::Bezier, third, 0};
+    key.before = {Handle::Kind::Bezier, -third, 0};
+  }
   keys.push_back(key);
+}
+
+void PoseRows::hold(std::size_t column, double time) {
+  const auto& keys = columns_.at(column).keys;
+  if (!keys.empty()) put(column, time, keys.back().angle);
 }
 
 void PoseRows::jump(std::size_t column, double begin, double end, double value) {

@@ -8,12 +8,14 @@
 
 namespace nao::motion {
 
-/// A motion as most teams write it: rows of poses at times, straight lines between. Columns are
-/// joints by name; those this robot has not are left out with a warning each. A value at time 0
-/// is reached within kFirstPose or half the time to the next one, since a motion takes time.
+/// A motion as most teams write it: rows of poses at times, straight lines between (to the
+/// first pose as every Trajectory begins). Columns are joints by name; those this robot has not are
+/// left out with a warning each. A value at time 0 is reached within kFirstPose or half the time to
+/// the next one, since a motion takes time.
 class PoseRows {
  public:
-  static constexpr double kFirstPose = 0.02;  // [s] free choice: one cycle of a V3's motion
+  static constexpr double kFirstPose =
+      0.02;  // [s] free choice: a motion cycle of NaoQi on V3 to V5
 
   PoseRows(const RobotModel& model, std::string source);
 
@@ -24,8 +26,15 @@ class PoseRows {
   /// Whether `value` is an opening, 0 to 1, rather than an angle.
   bool isHand(std::size_t column) const;
 
-  /// The joint is at `value` [rad, or opening of a hand] at `time` [s].
-  void put(std::size_t column, double time, double value);
+  enum class Course { Straight, Level };  // to a value; Level begins and ends with speed 0
+
+  /// The joint is at `value` [rad, or opening of a hand] at `time` [s]. Told twice for a time, the
+  /// last word counts.
+  void put(std::size_t column, double time, double value, Course course = Course::Straight);
+
+  /// The joint stays where it is until `time` [s]. Before its first value nothing is known of it:
+  /// it then moves to that from the beginning on.
+  void hold(std::size_t column, double time);
 
   /// The same, but the joint gets there at once at the beginning of the row and stays.
   void jump(std::size_t column, double begin, double end, double value);
