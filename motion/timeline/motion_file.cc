@@ -8,6 +8,7 @@
 #include "motion/timeline/kfm.h"
 #include "motion/timeline/kme.h"
 #include "motion/timeline/mof.h"
+#include "motion/timeline/pml.h"
 #include "motion/timeline/pos.h"
 #include "motion/timeline/qianim.h"
 #include "motion/timeline/webots_motion.h"
@@ -68,11 +69,15 @@ Timeline readMotion(const std::string& text, const std::string& source, const Ro
 }
 
 Timeline loadMotion(const std::filesystem::path& file, const RobotModel& model) {
+  if (std::filesystem::is_directory(file)) return loadMotion(file / "behavior.xar", model);
   std::ifstream in(file, std::ios::binary);
-  if (!in || std::filesystem::is_directory(file)) {
+  if (!in) {
     throw InputError(file.string() + ": this motion file can not be read");
   }
   const std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (file.extension() == ".pml") {
+    return loadMotion(file.parent_path() / behaviorOfPackage(text, file.string()), model);
+  }
   return readMotion(text, file.string(), model);
 }
 

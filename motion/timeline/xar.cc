@@ -171,11 +171,8 @@ void Player::warnOfScript(const XarElement& box) {
   builder_.warn(box.place() + ": the script of the box \"" + box.text("name") + "\" is not run");
 }
 
-}  // namespace
-
-Timeline readXar(const std::string& text, const std::string& source, const RobotModel& model) {
-  tinyxml2::XMLDocument document;
-  parseXml(document, text, source);
+// The root box of a document that has been parsed.
+XarElement rootBox(const tinyxml2::XMLDocument& document, const std::string& source) {
   const tinyxml2::XMLElement* root = document.FirstChildElement("ChoregrapheProject");
   if (root == nullptr) {
     throw InputError(source + ":1: expected a <ChoregrapheProject>, the root of a behavior");
@@ -183,6 +180,35 @@ Timeline readXar(const std::string& text, const std::string& source, const Robot
   const XarElement project(root, &source);
   const XarElement box = project.child("Box");
   if (!box) project.fail("expected a <Box> in the <ChoregrapheProject>");
+  return box;
+}
+
+void collectTimelines(const XarElement& box, const RobotModel& model, int depth,
+                      std::vector<BoxTimeline>& found) {
+  if (depth > kDeepestNesting) box.fail("boxes are nested too deeply");
+  const XarElement timeline = box.child("Timeline");
+  if (!timeline) return;
+  if (timeline.flag("enable", false) && timeline.child("ActuatorList")) {
+    TimelineBuilder builder;
+    Player(model, builder).playBox(box, 0, depth);
+    if (!builder.isEmpty()) found.push_back({box.text("name"), builder.take()});
+  }
+  for (const XarElement& layer : timeline.children("BehaviorLayer")) {
+    for (const XarElement& keyframe : layer.children("BehaviorKeyframe")) {
+      const XarElement diagram = keyframe.child("Diagram");
+      for (const XarElement& inner : diagram.children("Box")) {
+        collectTimelines(inner, model, depth + 1, found);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Timeline readXar(const std::string& text, const std::string& source, const RobotModel& model) {
+  tinyxml2::XMLDocument document;
+  parseXml(document, text, source);
+  const XarElement box = rootBox(document, source);
 
   TimelineBuilder builder;
   Player player(model, builder);
@@ -193,6 +219,15 @@ Timeline readXar(const std::string& text, const std::string& source, const Robot
   }
   if (builder.isEmpty()) box.fail("no timeline here moves a joint of this robot");
   return builder.take();
+}
+
+std::vector<BoxTimeline> readXarBoxes(const std::string& text, const std::string& source,
+                                      const RobotModel& model) {
+  tinyxml2::XMLDocument document;
+  parseXml(document, text, source);
+  std::vector<BoxTimeline> found;
+  collectTimelines(rootBox(document, source), model, 0, found);
+  return found;
 }
 
 }  // namespace nao::motion

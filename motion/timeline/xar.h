@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "motion/timeline/timeline.h"
 
@@ -18,5 +19,17 @@ namespace nao::motion {
 /// @throws InputError with source and line if the text is not such a behavior, or if nothing in it
 /// starts by itself.
 Timeline readXar(const std::string& text, const std::string& source, const RobotModel& model);
+
+/// A timeline of one box, as if that box were started alone.
+struct BoxTimeline {
+  std::string box;
+  Timeline timeline;
+};
+
+/// Every box of a behavior with a timeline of its own that moves a joint of this robot, in the
+/// order of the text: also those that only a script or a choice would start.
+/// @throws InputError as readXar, but may return none.
+std::vector<BoxTimeline> readXarBoxes(const std::string& text, const std::string& source,
+                                      const RobotModel& model);
 
 }  // namespace nao::motion
