@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "core/check.h"
+#include "motion/timeline/crg.h"
 #include "motion/timeline/hulks.h"
 #include "motion/timeline/kfm.h"
 #include "motion/timeline/kme.h"
@@ -27,6 +28,7 @@ struct Format {
 
 constexpr Format kFormats[] = {
     {".xar", "<ChoregrapheProject", readXar},
+    {".crg", "!<arch>", readCrg},
     {".qianim", "<Animation", readQianim},
     {".motion", "#WEBOTS_MOTION", readWebotsMotion},
     {".kme", "play%", readKme},
