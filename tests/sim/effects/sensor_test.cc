@@ -199,7 +199,7 @@ SensorFrame pressed(const std::vector<EffectSetting>& effects) {
 
 TEST(FsrGain, ScalesEachForceAndWhatFollowsFromThem) {
   const SensorFrame frame = pressed({effect("fsr_gain", {{"front_left", 0.5}, {"rear_right", 2}})});
-  const auto& fsr = nao::test::robot("nao_h21_v33_ideal")->feet[1].fsr;
+  const auto fsr = nao::test::robot("nao_h21_v33_ideal")->feet[1].fsr;
   const FootForces& right = frame.feet[1];
   EXPECT_EQ(right.force, (std::array<double, 4>{2, 6, 0.5, 16}));
   EXPECT_DOUBLE_EQ(right.total, 24.5);
