@@ -10,8 +10,7 @@ struct GzipError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Unpacks one gzip member (RFC 1952) of DEFLATE data (RFC 1951), up to 64 MiB; its length is
-/// checked, its CRC too. @throws GzipError
+/// Unpacks gzip data by zlib, up to 64 MiB. @throws GzipError
 std::string gunzip(const std::string& bytes);
 
 }  // namespace nao::motion

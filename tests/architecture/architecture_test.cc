@@ -28,19 +28,14 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
 };
 
 // Which folders may know a library: the others must not see its types.
-const std::map<std::string, std::set<std::string>> kOnlyHere = {{"Simbody", {"sim"}},
-                                                                {"SimTK", {"sim"}},
-                                                                {"msgpack", {"naoqi_api"}},
-                                                                {"boost/asio", {"daemon"}},
-                                                                {"boost/beast", {"daemon"}},
-                                                                {"yaml-cpp", {"core"}},
-                                                                {"urdf_", {"core"}},
-                                                                {"tinyxml.h", {"core"}},
-                                                                {"tinyxml2", {"motion"}},
-                                                                {"nlohmann", {"validation"}},
-                                                                {"spdlog", {"daemon", "app"}},
-                                                                {"opencv2", {"camera"}},
-                                                                {"CLI/", {"app"}}};
+const std::map<std::string, std::set<std::string>> kOnlyHere = {
+    {"Simbody", {"sim"}},         {"SimTK", {"sim"}},
+    {"msgpack", {"naoqi_api"}},   {"boost/asio", {"daemon"}},
+    {"boost/beast", {"daemon"}},  {"yaml-cpp", {"core"}},
+    {"urdf_", {"core"}},          {"tinyxml.h", {"core"}},
+    {"tinyxml2", {"motion"}},     {"zlib.h", {"motion"}},
+    {"nlohmann", {"validation"}}, {"spdlog", {"daemon", "app"}},
+    {"opencv2", {"camera"}},      {"CLI/", {"app"}}};
 
 struct Include {
   std::string folder;
