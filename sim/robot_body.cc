@@ -81,8 +81,6 @@ double RobotBody::angle(Joint joint) const {
   return hand ? hands_[joint] : drive_.angle()[joint];
 }
 
-double RobotBody::rate(Joint joint) const { return drive_.rate()[joint]; }
-
 void RobotBody::step(const JointCommand& command, const DriveTerms* terms,
                      const std::vector<ExternalForce>& external, double h) {
   if (integrator_) return stepSmoothly(command, external, h);
@@ -108,7 +106,6 @@ void RobotBody::stepSmoothly(const JointCommand& command,
                              const std::vector<ExternalForce>& external, double h) {
   smooth_.hold(command, external);
   integrator_->step(smooth_, h, tree_);
-  solves_ = 0;
   moveHands(command, h);
   moved();
   contact_.settle(motion());
@@ -132,7 +129,7 @@ void RobotBody::needInertia() {
 
 void RobotBody::solve(const std::vector<ExternalForce>& external, double h) {
   addExternal(external, h);
-  for (solves_ = 1;; ++solves_) {
+  for (int solves = 1;; ++solves) {
     system_ = inertia_;
     du_ = external_ - h * bias_;
     drive_.addTo(system_, du_);
@@ -146,7 +143,7 @@ void RobotBody::solve(const std::vector<ExternalForce>& external, double h) {
     const bool stops_changed = stops_.revise(du_);
     const bool joints_changed = drives_changed || stops_changed;
     const bool contacts_changed = contact_.revise(du_, !joints_changed);
-    if (!(joints_changed || contacts_changed) || solves_ == kMaxSolves) return;
+    if (!(joints_changed || contacts_changed) || solves == kMaxSolves) return;
   }
 }
 

@@ -51,11 +51,9 @@ class RobotBody {
   const Drive& drive() const { return drive_; }
   /// What a joint's encoder reports, on the motor's side of the gear [rad]; hands 0..1.
   double angle(Joint joint) const;
-  double rate(Joint joint) const;  // [rad/s]
   const std::vector<GroundContact::Force>& groundForces() const { return contact_.forces(); }
   /// Height [m] of the robot's lowest point.
   double lowestPoint() const { return contact_.lowestPoint(motion()); }
-  int solves() const { return solves_; }  // of the last step
 
   /// Adds to `push`, by speed of the tree, what an impulse `j_W` [N s] at a point of a body is to
   /// it; respond() makes of that the change of u, with limp joints.
@@ -106,7 +104,6 @@ class RobotBody {
   bool inertia_known_ = false;  // of the present tree
   bool mobility_known_ = false;
   Eigen::VectorXd bias_, external_, du_;
-  int solves_ = 0;
   const PhaseWatch* watch_ = nullptr;
 };
 
