@@ -98,6 +98,9 @@ struct Load {
 // The team stays alive, so that the next one can not reuse its memory.
 Load measureLoad(const ExperimentSettings& settings, int robots, std::vector<Team>& teams) {
   const auto model = loadRobot(settings);
+  if (model->feet.size() != 2) {
+    throw InputError("robot " + settings.robot + ": expected two feet to walk on");
+  }
   Load load;
   load.robots = robots;
   const std::size_t before = residentMemory();
