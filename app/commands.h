@@ -11,5 +11,6 @@ void addServe(CLI::App& app);
 void addExperiment(CLI::App& app);
 void addEffects(CLI::App& app);
 void addDescribe(CLI::App& app);
+void addPlay(CLI::App& app);
 
 }  // namespace nao::app

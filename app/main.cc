@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
   nao::app::addExperiment(app);
   nao::app::addEffects(app);
   nao::app::addDescribe(app);
+  nao::app::addPlay(app);
   try {
     app.parse(argc, argv);
     return 0;

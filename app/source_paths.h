@@ -8,4 +8,8 @@ namespace nao::app {
 /// from, so that the shipped robots and worlds are found from any folder.
 std::string findSourceFile(const std::string& path);
 
+/// The motion file called `name`: that path, or the motion of that name (without its ending) that
+/// is shipped with this robot or for all. @throws InputError that lists the shipped ones.
+std::string findMotionFile(const std::string& name, const std::string& robot);
+
 }  // namespace nao::app

@@ -114,6 +114,14 @@ void Drive::finish(const Eigen::VectorXd& du) {
   }
 }
 
+JointArray<bool> Drive::saturated() const {
+  JointArray<bool> saturated(torque_.size());
+  for (std::size_t i = 0; i < motors_.size(); ++i) {
+    saturated[places_[i].joint] = motors_[i].saturated();
+  }
+  return saturated;
+}
+
 void Drive::archive(Archive& archive) {
   for (std::size_t i = 0; i < motors_.size(); ++i) {
     motors_[i].archive(archive);

@@ -32,6 +32,9 @@ class Drive {
   const JointArray<double>& torque() const { return torque_; }  // [N m] of the motors, last step
   const JointArray<double>& load() const { return load_; }      // [N m] through the gears
 
+  /// Whose servo was held at its limit in the last step.
+  JointArray<bool> saturated() const;
+
   /// Starts a step of `h` [s]. `terms` null: no effect acts on the drives.
   void prepare(const JointCommand& command, const double* q, const double* u, double h,
                const DriveTerms* terms);

@@ -54,6 +54,7 @@ class GearedMotor {
   double angle() const { return angle_ - zero_; }  // [rad] as the encoder on the motor's side
   double rate() const { return rate_; }            // [rad/s]
   double torque() const { return torque_; }        // [N m] of the motor over the last step
+  bool saturated() const { return saturated_; }    // its servo was at its limit in the last step
   double load() const { return load_; }            // [N m] through the gear to the link
 
   void archive(Archive& archive);

@@ -197,6 +197,11 @@ void World::restore(const Snapshot& snapshot) {
   NAO_CHECK(archive.atEnd());  // else the two worlds are not alike
 }
 
+World::Motors World::motors(std::size_t robot) const {
+  const Drive& drive = impl_->robots_.at(robot)->body().drive();
+  return {drive.torque(), drive.saturated()};
+}
+
 double World::penetration(std::size_t robot) const {
   double depth = 0;
   for (const auto& force : impl_->robots_.at(robot)->body().groundForces()) {

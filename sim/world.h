@@ -106,6 +106,13 @@ class World {
   std::shared_ptr<const Snapshot> snapshot() const;
   void restore(const Snapshot& snapshot);
 
+  /// What a robot's motors gave in the last step, the truth, for experiments.
+  struct Motors {
+    JointArray<double> torque;   // [N m]
+    JointArray<bool> saturated;  // their servo was held at its limit; not part of the state
+  };
+  Motors motors(std::size_t robot) const;
+
   /// The largest depth [m] by which any point of the robot is in the ground now.
   double penetration(std::size_t robot) const;
 

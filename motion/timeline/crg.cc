@@ -65,10 +65,14 @@ std::string dataOf(const std::string& bytes, const std::string& source) {
 
 }  // namespace
 
-Timeline readCrg(const std::string& bytes, const std::string& source, const RobotModel& model) {
-  const auto behavior = fileOfTar(dataOf(bytes, source), kBehavior);
+std::string unpackCrg(const std::string& bytes, const std::string& source) {
+  auto behavior = fileOfTar(dataOf(bytes, source), kBehavior);
   if (!behavior) throw InputError(source + ":1: expected a behavior.xar in its data.tar.gz");
-  return readXar(*behavior, source + "/" + kBehavior, model);
+  return std::move(*behavior);
+}
+
+Timeline readCrg(const std::string& bytes, const std::string& source, const RobotModel& model) {
+  return readXar(unpackCrg(bytes, source), source + "/" + kBehavior, model);
 }
 
 }  // namespace nao::motion

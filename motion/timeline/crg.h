@@ -11,4 +11,7 @@ namespace nao::motion {
 /// @throws InputError that names the file, and the line of the behavior where it has one.
 Timeline readCrg(const std::string& bytes, const std::string& source, const RobotModel& model);
 
+/// The text of the behavior.xar packed there. @throws InputError that names the file.
+std::string unpackCrg(const std::string& bytes, const std::string& source);
+
 }  // namespace nao::motion

@@ -25,8 +25,10 @@ Timeline readKme(const std::string& content, const std::string& source, const Ro
     if (cells.empty() || (cells.size() == 1 && cells[0].empty())) continue;
     if (cells[0] != "play") text.fail(line.number, "expected play%<angles>%<duration>");
     if (cells.size() != rows.columns() + 2) {
-      text.fail(line.number, "expected 22 angles and a duration, not " +
-                                 std::to_string(cells.size() - 1) + " values");
+      rows.warn(line.number, "expected 22 angles and a duration, not " +
+                                 std::to_string(cells.size() - 1) +
+                                 " values; this row is left out");
+      continue;
     }
     const double duration = text.number(cells.back(), line.number, "the duration");
     if (duration <= 0) text.fail(line.number, "the duration must be positive");

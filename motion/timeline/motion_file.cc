@@ -48,6 +48,21 @@ constexpr Refused kRefused[] = {
     {".pmt", "a path over the floor, not joint angles"},
 };
 
+// A motion's text and the file it stands in, which a folder or a package only names.
+struct MotionSource {
+  std::filesystem::path file;
+  std::string text;
+};
+
+MotionSource openMotion(const std::filesystem::path& file) {
+  if (std::filesystem::is_directory(file)) return openMotion(file / "behavior.xar");
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw InputError(file.string() + ": this motion file can not be read");
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (file.extension() != ".pml") return {file, std::move(text)};
+  return openMotion(file.parent_path() / behaviorOfPackage(text, file.string()));
+}
+
 }  // namespace
 
 Timeline readMotion(const std::string& text, const std::string& source, const RobotModel& model) {
@@ -71,16 +86,21 @@ Timeline readMotion(const std::string& text, const std::string& source, const Ro
 }
 
 Timeline loadMotion(const std::filesystem::path& file, const RobotModel& model) {
-  if (std::filesystem::is_directory(file)) return loadMotion(file / "behavior.xar", model);
-  std::ifstream in(file, std::ios::binary);
-  if (!in) {
-    throw InputError(file.string() + ": this motion file can not be read");
+  const MotionSource source = openMotion(file);
+  return readMotion(source.text, source.file.string(), model);
+}
+
+Timeline loadBox(const std::filesystem::path& file, const std::string& box,
+                 const RobotModel& model) {
+  MotionSource source = openMotion(file);
+  if (source.file.extension() == ".crg") source.text = unpackCrg(source.text, file.string());
+  std::string known;
+  for (BoxTimeline& found : readXarBoxes(source.text, source.file.string(), model)) {
+    if (found.box == box) return std::move(found.timeline);
+    known += " \"" + found.box + "\"";
   }
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (file.extension() == ".pml") {
-    return loadMotion(file.parent_path() / behaviorOfPackage(text, file.string()), model);
-  }
-  return readMotion(text, file.string(), model);
+  throw InputError(source.file.string() + ": no box \"" + box +
+                   "\" with a timeline, expected one of" + known);
 }
 
 }  // namespace nao::motion

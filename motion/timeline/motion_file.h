@@ -16,6 +16,11 @@ namespace nao::motion {
 /// joint angles (.kmc, .pmt).
 Timeline loadMotion(const std::filesystem::path& file, const RobotModel& model);
 
+/// The timeline of one box of a behavior (.xar, .crg, .pml, folder), as if it were started alone.
+/// @throws InputError as loadMotion(), or with the boxes there are if none is called `box`.
+Timeline loadBox(const std::filesystem::path& file, const std::string& box,
+                 const RobotModel& model);
+
 /// The same of a text; `source` is its name in messages and has the extension.
 Timeline readMotion(const std::string& text, const std::string& source, const RobotModel& model);
 

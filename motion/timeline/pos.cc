@@ -72,9 +72,10 @@ Timeline readPos(const std::string& content, const std::string& source, const Ro
     }
     if (words.empty() || words[0] != "!") continue;
     if (words.size() != rows.columns() + 2) {
-      text.fail(line, "expected " + std::to_string(rows.columns()) +
+      rows.warn(line, "expected " + std::to_string(rows.columns()) +
                           " angles and a duration, not " + std::to_string(words.size() - 1) +
-                          " values");
+                          " values; this row is left out");
+      continue;
     }
     const double duration = text.number(words.back(), line, "the duration");
     if (duration <= 0) text.fail(line, "the duration must be positive");

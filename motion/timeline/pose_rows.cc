@@ -24,6 +24,7 @@ bool PoseRows::isHand(std::size_t column) const {
 
 void PoseRows::put(std::size_t column, double time, double value, Course course) {
   auto& keys = columns_.at(column).keys;
+  if (time <= 0) line_at_zero_ = line_;
   if (!keys.empty() && time <= keys.back().time) keys.pop_back();
   Key key;
   key.time = time;
@@ -67,8 +68,17 @@ Timeline PoseRows::take() {
       builder_.add(0, {*column.joint, column.keys});
     }
   }
-  if (builder_.isEmpty())
-    throw InputError(source_ + ":1: nothing here moves a joint of this robot");
+  if (line_at_zero_) {
+    builder_.addFault({{},
+                       0,
+                       source_ + ":" + std::to_string(*line_at_zero_) +
+                           ": this row is at time 0; its pose is reached after " +
+                           "0.02 s, or half way to the next row"});
+  }
+  if (builder_.isEmpty()) {
+    const std::string why = builder_.warnings().empty() ? "" : "; " + builder_.warnings().front();
+    throw InputError(source_ + ":1: nothing here moves a joint of this robot" + why);
+  }
   return builder_.take();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,9 @@ class PoseRows {
   /// The same, but the joint gets there at once at the beginning of the row and stays.
   void jump(std::size_t column, double begin, double end, double value);
 
+  /// The values that follow stand on this line of the file.
+  void atLine(int line) { line_ = line; }
+
   void warn(int line, const std::string& sentence);
   void lastUntil(double end) { builder_.lastUntil(end); }
 
@@ -56,6 +60,8 @@ class PoseRows {
   const RobotModel& model_;
   std::string source_;
   std::vector<Column> columns_;
+  int line_ = 1;
+  std::optional<int> line_at_zero_;  // of the last value at time 0 or before
   TimelineBuilder builder_;
 };
 

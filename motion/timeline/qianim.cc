@@ -41,7 +41,7 @@ Timeline readQianim(const std::string& text, const std::string& source, const Ro
       const auto joint = jointOf(curve, model, builder);
       if (!joint || !done.insert(index(*joint)).second) continue;
       const bool is_hand = model.actuators[index(*joint)].coordinates.empty();
-      builder.add(0, readXarCurve(curve, readXarClock(curve), *joint, is_hand));
+      addXarCurve(curve, readXarClock(curve), *joint, is_hand, 0, builder);
     }
   }
   if (builder.isEmpty()) animation.fail("no curve here moves a joint of this robot");

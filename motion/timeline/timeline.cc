@@ -16,7 +16,45 @@ Key holdingKey(double time, double angle) {
   return key;
 }
 
+double keyReached(const Curve& curve, double time) {
+  double number = 0;
+  for (const Key& key : curve.keys) number += key.time <= time + kSameTime ? 1 : 0;
+  return number;
+}
+
 }  // namespace
+
+double frameAt(const Timeline& timeline, std::optional<Joint> joint, double time) {
+  const FrameClock* clock = nullptr;
+  for (const FrameClock& c : timeline.clocks) {
+    if ((!joint || c.joint == *joint) && c.start <= time + kSameTime) clock = &c;
+  }
+  if (clock) return clock->first_frame + (time - clock->start) * clock->fps;
+  double number = 0;
+  for (const Curve& curve : timeline.curves) {
+    if (!joint || curve.joint == *joint) number = std::max(number, keyReached(curve, time));
+  }
+  return number;
+}
+
+Timeline TimelineBuilder::take() {
+  std::stable_sort(timeline_.clocks.begin(), timeline_.clocks.end(),
+                   [](const FrameClock& a, const FrameClock& b) { return a.start < b.start; });
+  holdUntilEnd();
+  return std::move(timeline_);
+}
+
+// The joint that moves longest holds until the end, so that whoever plays the curves plays on.
+void TimelineBuilder::holdUntilEnd() {
+  const auto end_of = [](const Curve& curve) { return curve.keys.back().time; };
+  const auto longest =
+      std::max_element(timeline_.curves.begin(), timeline_.curves.end(),
+                       [&](const Curve& a, const Curve& b) { return end_of(a) < end_of(b); });
+  if (longest == timeline_.curves.end()) return;
+  if (end_of(*longest) > timeline_.length - kSameTime) return;
+  longest->keys.back().after = {Handle::Kind::Linear, 0, 0};
+  longest->keys.push_back(holdingKey(timeline_.length, longest->keys.back().angle));
+}
 
 void TimelineBuilder::add(double start, const Curve& curve) {
   if (curve.keys.empty()) return;

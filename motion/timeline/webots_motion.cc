@@ -59,6 +59,7 @@ Timeline readWebotsMotion(const std::string& content, const std::string& source,
       rows.warn(line.number, "this row has " + std::to_string(values) + " values for " +
                                  std::to_string(columns.size()) + " joints");
     }
+    rows.atLine(line.number);
     for (std::size_t i = 0; i < std::min(values, columns.size()); ++i) {
       const std::string& cell = cells[kBeforeJoints + i];
       if (cell == "*" || columns[i] == kNoColumn) continue;

@@ -117,10 +117,7 @@ double Player::playCurves(const XarElement& list, const XarClock& clock, double 
       }
       if (!done.insert(index(*joint)).second) continue;
       const bool is_hand = model_.actuators[index(*joint)].coordinates.empty();
-      const Curve read = readXarCurve(curve, clock, *joint, is_hand);
-      if (read.keys.empty()) continue;
-      builder_.add(start, read);
-      end = std::max(end, start + read.keys.back().time);
+      end = std::max(end, addXarCurve(curve, clock, *joint, is_hand, start, builder_));
     }
   }
   return end;

@@ -78,20 +78,57 @@ void fillAutomaticHandles(std::vector<Key>& keys) {
   }
 }
 
-// Keys in order of time, one per frame, within the timeline.
-std::vector<Key> withinTimeline(std::vector<Key> keys, const XarClock& clock) {
-  std::stable_sort(keys.begin(), keys.end(),
-                   [](const Key& a, const Key& b) { return a.time < b.time; });
-  const double half_a_frame = 0.5 / clock.fps;
-  std::vector<Key> kept;
-  for (Key& key : keys) {
-    if (clock.end_frame && key.time > clock.timeOf(*clock.end_frame) + 1e-9) break;
-    key.time = std::max(key.time, half_a_frame);
-    if (!kept.empty() && key.time - kept.back().time < 1e-6) kept.pop_back();
-    kept.push_back(key);
+struct PlacedKey {
+  Key key;
+  XarElement element;
+};
+
+// Keys in order of time, one per frame, within the timeline; what is wrong with the others.
+class KeyRow {
+ public:
+  KeyRow(const XarClock& clock, Joint joint, std::string name, std::vector<KeyFault>& faults)
+      : clock_(clock), joint_(joint), name_(std::move(name)), faults_(faults) {}
+
+  std::vector<Key> settle(std::vector<PlacedKey> keys) {
+    const auto earlier = [](const PlacedKey& a, const PlacedKey& b) {
+      return a.key.time < b.key.time;
+    };
+    if (!std::is_sorted(keys.begin(), keys.end(), earlier)) {
+      tell(keys.front(), "the keys are not in order of their frames; they are played in order");
+      std::stable_sort(keys.begin(), keys.end(), earlier);
+    }
+    for (const PlacedKey& key : keys) place(key);
+    return std::move(kept_);
   }
-  return kept;
-}
+
+ private:
+  void place(PlacedKey placed) {
+    Key& key = placed.key;
+    if (clock_.end_frame && key.time > clock_.timeOf(*clock_.end_frame) + 1e-9) {
+      return tell(placed, "this key is after the end of the timeline and is left out");
+    }
+    const double half_a_frame = 0.5 / clock_.fps;
+    if (key.time < half_a_frame) {
+      tell(placed, "this key is at time 0 or before; it is played half a frame later");
+      key.time = half_a_frame;
+    }
+    if (!kept_.empty() && key.time - kept_.back().time < 1e-6) {
+      tell(placed, "there are two keys on this frame; the last one is played");
+      kept_.pop_back();
+    }
+    kept_.push_back(key);
+  }
+
+  void tell(const PlacedKey& key, const char* sentence) {
+    faults_.push_back({joint_, key.key.time, key.element.place() + ": " + name_ + ": " + sentence});
+  }
+
+  const XarClock& clock_;
+  Joint joint_;
+  std::string name_;
+  std::vector<KeyFault>& faults_;
+  std::vector<Key> kept_;
+};
 
 }  // namespace
 
@@ -105,15 +142,34 @@ XarClock readXarClock(const XarElement& timeline) {
   return clock;
 }
 
-Curve readXarCurve(const XarElement& curve, const XarClock& clock, Joint joint, bool is_hand) {
+Curve readXarCurve(const XarElement& curve, const XarClock& clock, Joint joint, bool is_hand,
+                   std::vector<KeyFault>& faults) {
   std::vector<XarElement> elements = curve.children("Key");
   if (const XarElement group = curve.child("CurveKeys")) elements = group.children("Key");
   const double unit = unitOf(curve, is_hand, elements);
-  std::vector<Key> keys;
-  for (const XarElement& element : elements) keys.push_back(readKey(element, clock, unit));
-  keys = withinTimeline(std::move(keys), clock);
+  std::vector<PlacedKey> placed;
+  for (const XarElement& element : elements) {
+    placed.push_back({readKey(element, clock, unit), element});
+  }
+  const std::string name = curve.text("actuator");
+  if (placed.empty()) faults.push_back({joint, 0, curve.place() + ": " + name + " has no keys"});
+  std::vector<Key> keys = KeyRow(clock, joint, name, faults).settle(std::move(placed));
   fillAutomaticHandles(keys);
   return {joint, std::move(keys)};
+}
+
+double addXarCurve(const XarElement& curve, const XarClock& clock, Joint joint, bool is_hand,
+                   double start, TimelineBuilder& builder) {
+  std::vector<KeyFault> faults;
+  const Curve read = readXarCurve(curve, clock, joint, is_hand, faults);
+  for (KeyFault& fault : faults) {
+    fault.time += start;
+    builder.addFault(std::move(fault));
+  }
+  if (read.keys.empty()) return start;
+  builder.add(start, read);
+  builder.addClock({joint, start, clock.fps, clock.start_frame});
+  return start + read.keys.back().time;
 }
 
 }  // namespace nao::motion

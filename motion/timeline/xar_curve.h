@@ -1,9 +1,11 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "core/robot_model.h"
 #include "motion/motion_request.h"
+#include "motion/timeline/timeline.h"
 #include "motion/timeline/xar_element.h"
 
 namespace nao::motion {
@@ -22,7 +24,12 @@ XarClock readXarClock(const XarElement& timeline);
 
 /// One ActuatorCurve of a joint: keys between the first and the last frame, times from the start
 /// of the timeline on. A key on the first frame itself counts half a frame later, since a motion
-/// takes time.
-Curve readXarCurve(const XarElement& curve, const XarClock& clock, Joint joint, bool is_hand);
+/// takes time. Adds to `faults` the keys that can not be played as they are written.
+Curve readXarCurve(const XarElement& curve, const XarClock& clock, Joint joint, bool is_hand,
+                   std::vector<KeyFault>& faults);
+
+/// The same, played from `start` [s] on. @returns when its last key is; `start` if it has none.
+double addXarCurve(const XarElement& curve, const XarClock& clock, Joint joint, bool is_hand,
+                   double start, TimelineBuilder& builder);
 
 }  // namespace nao::motion

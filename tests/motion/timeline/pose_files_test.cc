@@ -125,8 +125,10 @@ TEST(Kme, RowsAreRadiansInTheOrderOfTheTeamAndSeconds) {
   EXPECT_NEAR(keysOf(timeline, "LHipYawPitch").at(0).angle, 0.16, kExact);
   EXPECT_NEAR(keysOf(timeline, "RHipRoll").at(0).angle, 0.23, kExact);
   EXPECT_NEAR(keysOf(timeline, "RElbowRoll").at(1).angle, 0.31, kExact);
-  EXPECT_EQ(errorOf(row + "%0.5\nplay%1%2\n", "up.kme"),
-            "up.kme:2: expected 22 angles and a duration, not 2 values");
+  const Timeline rest = read(row + "%0.5\nplay%1%2\n" + row + "%0.5\n", "up.kme");
+  EXPECT_NEAR(rest.length, 1.0, kExact);
+  EXPECT_EQ(rest.warnings, std::vector<std::string>{"up.kme:2: expected 22 angles and a duration, "
+                                                    "not 2 values; this row is left out"});
   EXPECT_EQ(errorOf(row + "%0\n", "up.kme"), "up.kme:1: the duration must be positive");
 }
 
@@ -147,7 +149,8 @@ TEST(Pos, RowsAreDegreesAndMilliseconds) {
 
 TEST(Pos, WhatIsWrongIsToldWithItsLine) {
   EXPECT_EQ(errorOf("HY HP DUR\n! 1 2\n", "up.pos"),
-            "up.pos:2: expected 2 angles and a duration, not 2 values");
+            "up.pos:1: nothing here moves a joint of this robot; up.pos:2: expected 2 angles and a "
+            "duration, not 2 values; this row is left out");
   EXPECT_EQ(errorOf("HY XX DUR\n", "up.pos"), "up.pos:1: unknown joint code XX");
   EXPECT_EQ(errorOf("! 1 2\n", "up.pos"),
             "up.pos:1: expected a line of joint codes that ends in DUR");

@@ -85,7 +85,12 @@ TEST(Xar, TheLastFrameCutsTheCurves) {
   const Timeline timeline = read(project(
       box("1", "fps=\"10\" start_frame=\"0\" end_frame=\"10\"",
           curve("HeadYaw", "<Key frame=\"5\" value=\"5\"/><Key frame=\"20\" value=\"10\"/>"))));
-  EXPECT_EQ(timeline.curves[0].keys.size(), 1u);
+  const auto& keys = timeline.curves[0].keys;
+  ASSERT_EQ(keys.size(), 2u);  // the one that is left, and that it holds until the end
+  EXPECT_NEAR(keys[0].time, 0.5, kExact);
+  EXPECT_NEAR(keys[1].time, 1.0, kExact);
+  EXPECT_EQ(keys[1].angle, keys[0].angle);
+  EXPECT_EQ(Trajectory(0, keys).at(0.8), keys[0].angle);
   EXPECT_NEAR(timeline.length, 1.0, kExact);
 }
 
