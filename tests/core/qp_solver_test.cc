@@ -1,4 +1,4 @@
-#include "walk_engine/qp_solver.h"
+#include "core/qp_solver.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "core/random.h"
 
-namespace nao::walk {
+namespace nao {
 namespace {
 
 Eigen::VectorXd randomVector(long size, Random& random) {
@@ -148,4 +148,4 @@ TEST(QpSolver, NeedsFewStepsForAProblemLikeTheOneBefore) {
 }
 
 }  // namespace
-}  // namespace nao::walk
+}  // namespace nao

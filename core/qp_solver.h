@@ -4,7 +4,7 @@
 
 #include <Eigen/Dense>
 
-namespace nao::walk {
+namespace nao {
 
 /// A strictly convex quadratic program:
 ///   minimize  1/2 x^T H x + g^T x   subject to  A_i x = b_i  for i < equalities,
@@ -64,4 +64,4 @@ class QpSolver {
   int variables_ = 0;
 };
 
-}  // namespace nao::walk
+}  // namespace nao

@@ -1,4 +1,4 @@
-#include "walk_engine/qp_solver.h"
+#include "core/qp_solver.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "core/check.h"
 
-namespace nao::walk {
+namespace nao {
 namespace {
 
 constexpr double kViolation = 1e-10;  // of a constraint whose row has length 1: rounding
@@ -172,4 +172,4 @@ void QpSolver::drop(int position) {
   }
 }
 
-}  // namespace nao::walk
+}  // namespace nao
