@@ -57,6 +57,8 @@ Experiment thrashExperiment();
 Experiment headYawExperiment();
 Experiment robotsExperiment();
 Experiment sonarExperiment();
+Experiment walkExperiment();
+Experiment turnExperiment();
 
 /// What all experiments with a robot start from. @throws InputError.
 std::shared_ptr<const RobotModel> loadRobot(const ExperimentSettings& settings);
