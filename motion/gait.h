@@ -40,6 +40,13 @@ struct Footstep {
   SimTime lands{};  // when it takes load
 };
 
+/// A step somebody asks for by itself (ALMotion.setFootSteps).
+struct StepOrder {
+  Foot foot = Foot::Left;
+  Pose2 place;        // of its sole, in the frame of the other sole
+  double period = 0;  // [s] from the other foot's landing to this one's
+};
+
 /// A walk engine as the motion engine sees it. It runs on the simulation thread, once per control
 /// cycle, and knows the robot by its commands and sensors alone. Before the first request it is
 /// idle and update() leaves the command untouched.
@@ -55,6 +62,11 @@ class Gait {
 
   /// Walks on at this velocity, clipped to what the steps allow (ALMotion.move).
   virtual void walkAt(const Velocity2& velocity, const GaitConfig& config) = 0;
+
+  /// Takes these steps, clipped to what the legs allow, and stands where the feet then are. They
+  /// follow the ordered steps not yet taken, or replace those that may still change (`clear`); any
+  /// other walk ends with the step under way. (ALMotion.setFootSteps)
+  virtual void walkSteps(const std::vector<StepOrder>& steps, bool clear) = 0;
 
   /// Ends the walk in double support, feet side by side.
   virtual void stop() = 0;

@@ -7,6 +7,8 @@ namespace nao::walk {
 namespace {
 
 using Eigen::Vector2d;
+using motion::GaitConfig;
+using motion::StepOrder;
 
 constexpr double kNotice = 0.4;      // [s] e^(-6.1 * 0.4): a tenth of the change is felt now
 constexpr double kSamePlace = 1e-6;  // [m], [rad] below anything a command can resolve
@@ -42,6 +44,17 @@ std::optional<Pose2> stepTowards(const Goal& goal, const FeetPlaces& feet, Foot 
   return compose(support, calcStep(fractions, swing, goal.config));
 }
 
+constexpr double kShortestStep = 0.42;  // [s] MinStepPeriod of control-walk
+
+// What the legs can reach at most: ordered steps are clipped to the largest gait, not the default.
+GaitConfig widestGait() {
+  GaitConfig gait;
+  gait.max_step_x = 0.08;  // gait_config.csv, the maxima of control-walk 1.14 and 2.1
+  gait.max_step_y = 0.16;
+  gait.max_step_theta = 0.524;
+  return gait;
+}
+
 double smooth(double s) { return s * s * (3 - 2 * s); }
 
 }  // namespace
@@ -50,6 +63,11 @@ void Goal::archive(Archive& archive) {
   archive.value(kind);
   archive.value(fractions);
   archive.value(target);
+  archive.each(steps, [&archive](StepOrder& step) {
+    archive.value(step.foot);
+    archive.value(step.place);
+    archive.value(step.period);
+  });
   motion::archiveConfig(archive, config);
 }
 
@@ -78,6 +96,8 @@ std::optional<Pose2> calcNextPlace(const Goal& goal, const FeetPlaces& feet, Foo
       return compose(feet[index(otherFoot(swing))], calcStep(goal.fractions, swing, goal.config));
     case Goal::Kind::Target:
       return stepTowards(goal, feet, swing);
+    case Goal::Kind::Steps:
+      return std::nullopt;
   }
   return std::nullopt;
 }
@@ -146,21 +166,61 @@ std::int64_t FootstepPlan::end() const {
   return steps_.empty() ? stand_since_ : steps_.back().end();
 }
 
+void FootstepPlan::order(const std::vector<StepOrder>& steps, bool clear, std::int64_t now) {
+  advance(now, now);
+  Goal goal;
+  goal.kind = Goal::Kind::Steps;
+  if (!clear && goal_.kind == Goal::Kind::Steps) goal.steps = withdrawOrders();
+  goal.steps.insert(goal.steps.end(), steps.begin(), steps.end());
+  follow(goal, now);
+}
+
+// The ordered steps that may still change, planned or not.
+std::vector<StepOrder> FootstepPlan::withdrawOrders() const {
+  std::vector<StepOrder> orders;
+  FeetPlaces feet = nextFeet();
+  for (std::size_t i = 1; i < steps_.size(); ++i) {
+    const PlannedStep& step = steps_[i];
+    const Pose2 place = relativeTo(feet[index(otherFoot(step.swing))], step.to);
+    orders.push_back(
+        {step.swing, place, static_cast<double>(step.end() - step.start) * tick_seconds_});
+    feet[index(step.swing)] = step.to;
+  }
+  orders.insert(orders.end(), goal_.steps.begin(), goal_.steps.end());
+  return orders;
+}
+
+// What the goal asks for at the end of the plan.
+std::optional<FootstepPlan::NextStep> FootstepPlan::chooseNext(const FeetPlaces& feet) {
+  if (goal_.kind == Goal::Kind::Steps) {
+    if (goal_.steps.empty()) return std::nullopt;
+    const StepOrder next = goal_.steps.front();
+    goal_.steps.erase(goal_.steps.begin());
+    const Pose2& support = feet[index(otherFoot(next.foot))];
+    return NextStep{next.foot, compose(support, clipStep(next.place, next.foot, widestGait())),
+                    std::max(next.period, kShortestStep)};
+  }
+  const Foot swing = steps_.empty() ? chooseFirstFoot(goal_, feet) : otherFoot(steps_.back().swing);
+  FeetPlaces base = feet;
+  // Before the first step the feet may be splayed: the way ahead is R's, not the support's.
+  if (steps_.empty()) base[index(otherFoot(swing))].theta = robotPlace(feet).theta;
+  const std::optional<Pose2> place = calcNextPlace(goal_, base, swing);
+  if (!place) return std::nullopt;
+  return NextStep{swing, *place, calcStepPeriod(goal_.config)};
+}
+
 // One more step at the end of the plan; false if the goal asks for none.
 bool FootstepPlan::append() {
   const FeetPlaces feet = lastFeet();
-  const Foot swing = steps_.empty() ? chooseFirstFoot(goal_, feet) : otherFoot(steps_.back().swing);
+  const std::optional<NextStep> next = chooseNext(feet);
+  if (!next) return false;
+  const Foot swing = next->swing;
   const Foot support = otherFoot(swing);
-  FeetPlaces base = feet;
-  // Before the first step the feet may be splayed: the way ahead is R's, not the support's.
-  if (steps_.empty()) base[index(support)].theta = robotPlace(feet).theta;
-  const std::optional<Pose2> place = calcNextPlace(goal_, base, swing);
-  if (!place) return false;
-  const int period = ticks(calcStepPeriod(goal_.config));
+  const int period = ticks(next->period);
   PlannedStep step;
   step.swing = swing;
   step.from = feet[index(swing)];
-  step.to = *place;
+  step.to = next->to;
   step.start = steps_.empty() ? begin_ : end();
   step.double_support = ticks(tuning_.double_support_share * period * tick_seconds_);
   step.shift = step.double_support;

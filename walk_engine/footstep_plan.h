@@ -16,10 +16,11 @@ namespace nao::walk {
 
 /// What the steps are for.
 struct Goal {
-  enum class Kind { Stand, Velocity, Target };
+  enum class Kind { Stand, Velocity, Target, Steps };
   Kind kind = Kind::Stand;
-  StepFractions fractions;  // of Velocity
-  Pose2 target;             // of Target: where R shall stand, in the odometry frame
+  StepFractions fractions;               // of Velocity
+  Pose2 target;                          // of Target: where R shall stand, in the odometry frame
+  std::vector<motion::StepOrder> steps;  // of Steps: those that are not planned yet
   motion::GaitConfig config;
 
   void archive(Archive& archive);
@@ -66,6 +67,9 @@ class FootstepPlan {
   /// Plans towards `goal` after the step under way.
   void follow(const Goal& goal, std::int64_t now);
 
+  /// Plans these steps: after those already ordered, or in their place (`clear`).
+  void order(const std::vector<motion::StepOrder>& steps, bool clear, std::int64_t now);
+
   /// Ends steps that are over at `now` and plans as far as `horizon`.
   void advance(std::int64_t now, std::int64_t horizon);
 
@@ -85,9 +89,17 @@ class FootstepPlan {
   void archive(Archive& archive);
 
  private:
+  struct NextStep {
+    Foot swing = Foot::Left;
+    Pose2 to;
+    double period = 0;  // [s]
+  };
+
   Eigen::Vector2d settle(const Eigen::Vector2d& from, const Eigen::Vector2d& rest,
                          std::int64_t elapsed) const;
   bool append();
+  std::optional<NextStep> chooseNext(const FeetPlaces& feet);
+  std::vector<motion::StepOrder> withdrawOrders() const;
   FeetPlaces lastFeet() const;
   std::int64_t end() const;
   Eigen::Vector2d zmpOf(const Pose2& sole, Foot foot) const;

@@ -48,6 +48,7 @@ class ZmpGait final : public motion::Gait {
   void walkTo(const Pose2& target, const GaitConfig& config) override;
   void walkToward(double x, double y, double theta, const GaitConfig& config) override;
   void walkAt(const Velocity2& velocity, const GaitConfig& config) override;
+  void walkSteps(const std::vector<motion::StepOrder>& steps, bool clear) override;
   void stop() override;
   void kill() override;
   bool active() const override { return phase_ != Phase::Idle; }
@@ -133,6 +134,16 @@ void ZmpGait::walkToward(double x, double y, double theta, const GaitConfig& con
 void ZmpGait::walkAt(const Velocity2& velocity, const GaitConfig& config) {
   const StepFractions fractions = fractionsFor(velocity, config);
   walkToward(fractions.x, fractions.y, fractions.theta, config);
+}
+
+void ZmpGait::walkSteps(const std::vector<motion::StepOrder>& steps, bool clear) {
+  if (phase_ == Phase::Walking) return plan_.order(steps, clear, tick_);
+  const bool more = !clear && phase_ != Phase::Idle && goal_.kind == Goal::Kind::Steps;
+  Goal goal;
+  goal.kind = Goal::Kind::Steps;
+  if (more) goal.steps = goal_.steps;
+  goal.steps.insert(goal.steps.end(), steps.begin(), steps.end());
+  pursue(goal);
 }
 
 void ZmpGait::stop() {

@@ -93,6 +93,7 @@ class FakeGait final : public Gait {
     Pose2 target;
     Velocity2 velocity;
     GaitConfig config;
+    std::vector<StepOrder> ordered;
     int steps = 20;      // cycles of a walkTo
     double legs = -0.4;  // [rad]
     double arms = 1.2;   // [rad]
@@ -117,6 +118,11 @@ class FakeGait final : public Gait {
     log_->velocity = velocity;
     log_->config = config;
     left_ = 1 << 20;
+  }
+  void walkSteps(const std::vector<StepOrder>& steps, bool clear) override {
+    log_->calls.push_back(clear ? "walkSteps clear" : "walkSteps");
+    log_->ordered = steps;
+    left_ = log_->steps;
   }
   void stop() override {
     log_->calls.push_back("stop");

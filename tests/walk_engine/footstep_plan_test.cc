@@ -154,5 +154,56 @@ TEST_F(FootstepPlanTest, MovesTheZmpWithoutJumps) {
   }
 }
 
+motion::StepOrder orderOf(Foot foot, double x, double y, double theta, double period = 0.6) {
+  return {foot, {x, y, theta}, period};
+}
+
+TEST_F(FootstepPlanTest, OrderedStepsLandWhereTheyWereOrderedAndTheFeetStayThere) {
+  plan_.order({orderOf(Foot::Left, 0.05, 0.11, 0.2), orderOf(Foot::Right, 0.02, -0.1, 0)}, true, 0);
+  runUntilRest(2000);
+  const Pose2 left = relativeTo(Pose2{0, -0.05, 0}, plan_.feet()[0]);
+  const Pose2 right = relativeTo(plan_.feet()[0], plan_.feet()[1]);
+  EXPECT_NEAR(left.x, 0.05, kSame);
+  EXPECT_NEAR(left.y, 0.11, kSame);
+  EXPECT_NEAR(left.theta, 0.2, kSame);
+  EXPECT_NEAR(right.x, 0.02, kSame);
+  EXPECT_NEAR(right.y, -0.1, kSame);
+  EXPECT_NEAR(right.theta, 0, kSame);
+}
+
+TEST_F(FootstepPlanTest, OrderedStepsFollowEachOtherOrReplaceWhatMayStillChange) {
+  for (const bool clear : {false, true}) {
+    plan_.reset(sideBySide(), tick_);
+    plan_.order({orderOf(Foot::Left, 0.04, 0.1, 0), orderOf(Foot::Right, 0.04, -0.1, 0),
+                 orderOf(Foot::Left, 0.04, 0.1, 0)},
+                true, tick_);
+    runFor(80);
+    ASSERT_EQ(plan_.current()->swing, Foot::Left);
+    plan_.order({orderOf(Foot::Right, 0, -0.1, 0)}, clear, tick_);
+    runUntilRest(tick_ + 2000);
+    // Four steps, or the one under way and the last.
+    EXPECT_NEAR(plan_.feet()[1].x, clear ? 0.04 : 0.12, kSame);
+    EXPECT_NEAR(plan_.feet()[0].x, clear ? 0.04 : 0.12, kSame);
+  }
+}
+
+TEST_F(FootstepPlanTest, OrderedStepsTakeTheirTimeButNoneIsFasterThanAnyStep) {
+  plan_.order({orderOf(Foot::Left, 0.04, 0.1, 0), orderOf(Foot::Right, 0.04, -0.1, 0, 0.9),
+               orderOf(Foot::Left, 0.04, 0.1, 0, 0.1)},
+              true, 0);
+  runFor(1);
+  ASSERT_GE(plan_.steps().size(), 2u);
+  EXPECT_EQ(plan_.steps()[1].end() - plan_.steps()[1].start, 90);
+  runFor(120);
+  ASSERT_GE(plan_.steps().size(), 2u);
+  EXPECT_EQ(plan_.steps().back().end() - plan_.steps().back().start, 42);
+}
+
+TEST_F(FootstepPlanTest, AnOrderedStepOutOfReachIsClippedToTheWidestGait) {
+  plan_.order({orderOf(Foot::Left, 0.3, 0.1, 0)}, true, 0);
+  runUntilRest(2000);
+  EXPECT_NEAR(plan_.feet()[0].x, 0.08, kSame);
+}
+
 }  // namespace
 }  // namespace nao::walk
