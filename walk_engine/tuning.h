@@ -19,11 +19,14 @@ struct Tuning {
                                   // pressure off, per m/s^2 of the sole: about leg mass times
                                   // lever over weight, 0.6 kg 0.27 m / 48 N; free, 0.003-0.005
   double arm_swing = 2.5;         // [rad/m] shoulder pitch by foot ahead of the other; free
-  double roll_damping = 0.05;     // [s] ankle roll per roll rate of the torso; free, 0.02-0.06: up
+  double roll_damping = 0.06;     // [s] ankle roll per roll rate of the torso; free, 0.02-0.06: up
                                   // to there a gyroscope 30 ms late still does no harm
   double pitch_damping = 0.035;   // [s] ankle pitch per pitch rate; free, 0.02-0.05
-  double swing_speed = 0.6;       // [m/s] mean of the swinging foot: a longer way takes longer, as
-                                  // the motors give less torque when fast; free
+  double level_time = 0.4;   // [s] in which a foot learns that its sole is not level; 0: never;
+                             // free, 0.3-1: of the seeded walks of 0.48 m 97 % end within
+                             // 3 degrees, without it 73 %
+  double swing_speed = 0.6;  // [m/s] mean of the swinging foot: a longer way takes longer, as
+                             // the motors give less torque when fast; free
 };
 
 }  // namespace nao::walk

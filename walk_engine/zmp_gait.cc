@@ -7,6 +7,7 @@
 
 #include "walk_engine/balance.h"
 #include "walk_engine/footstep_plan.h"
+#include "walk_engine/levelling.h"
 #include "walk_engine/preview_control.h"
 #include "walk_engine/servo_lead.h"
 #include "walk_engine/stance.h"
@@ -74,6 +75,7 @@ class ZmpGait final : public motion::Gait {
   void moveCom();
   void limitSpeed(const JointArray<double>& last, JointArray<double>& angle) const;
   void swingArms(JointCommand& command);
+  void balance(const SensorFrame& measured, JointArray<double>& angle);
   std::array<bool, 2> standing() const;
   Pose2 placeOf(Foot foot) const;
 
@@ -83,6 +85,7 @@ class ZmpGait final : public motion::Gait {
   StanceSolver stance_;
   ServoLead servo_lead_;
   Balance balance_;
+  Levelling levelling_;
   double com_height_;  // [m]
   PreviewControl preview_;
   FootstepPlan plan_;
@@ -106,6 +109,7 @@ ZmpGait::ZmpGait(std::shared_ptr<const RobotModel> model, const Tuning& tuning)
       stance_(model_),
       servo_lead_(model_),
       balance_(*model_, tuning),
+      levelling_(*model_, tuning),
       com_height_(
           stance_.calcComHeight(tuning.knee_bend, tuning.torso_pitch, standingAngles(*model_))),
       preview_(com_height_, kGravity, dt_, static_cast<int>(std::lround(tuning.preview / dt_))),
@@ -222,7 +226,7 @@ void ZmpGait::walk(const SensorFrame& measured, JointCommand& command) {
   swingArms(command);
   pose(command.angle, false);
   rise(command.angle);
-  balance_.apply(measured.gyroscope, standing(), command.angle);
+  balance(measured, command.angle);
   limitSpeed(last, command.angle);
   position_ = robotPlace({placeOf(Foot::Left), placeOf(Foot::Right)});
   const bool calm = std::hypot(com_x_.velocity, com_y_.velocity) < kAtRest;
@@ -287,6 +291,13 @@ void ZmpGait::pose(JointArray<double>& angle, bool resting) {
   servo_lead_.apply(angle);
 }
 
+// What the sensors say of the body, into the ankles.
+void ZmpGait::balance(const SensorFrame& measured, JointArray<double>& angle) {
+  levelling_.learn(measured.angle_y - calcDemand().pitch, standing(), dt_);
+  levelling_.apply(angle);
+  balance_.apply(measured.gyroscope, standing(), angle);
+}
+
 std::array<bool, 2> ZmpGait::standing() const {
   std::array<bool, 2> stands{true, true};
   const PlannedStep* step = plan_.current();
@@ -335,6 +346,7 @@ std::vector<motion::Footstep> ZmpGait::footsteps() const {
 void ZmpGait::archive(Archive& archive) {
   stance_.archive(archive);
   servo_lead_.archive(archive);
+  levelling_.archive(archive);
   archive.value(com_height_);
   plan_.archive(archive);
   archive.value(phase_);

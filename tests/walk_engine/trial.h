@@ -19,12 +19,14 @@ namespace nao::test {
 /// as it stood, all joints stiff.
 class Trial {
  public:
-  /// Stands in `posture` of the robot's file for half a second first.
+  /// Stands in `posture` of the robot's file for half a second first. `seed`: of the
+  /// robot's variation, 0 for none.
   explicit Trial(const std::string& robot, const std::string& posture = "StandInit",
-                 const walk::Tuning& tuning = {}, const WorldModel& world = {})
+                 const walk::Tuning& tuning = {}, const WorldModel& world = {},
+                 std::uint64_t seed = 0)
       : model_(loadRobotModel(NAO_SOURCE_DIR "/robots", robot)),
         gait_(walk::makeZmpGait(model_, tuning)),
-        world_(std::make_shared<WorldModel>(world), {{"nao", model_, {}}}, fromSeconds(0.002)),
+        world_(std::make_shared<WorldModel>(world), {{"nao", model_, {}}}, options(seed)),
         command_{model_->findPosture(posture)->angle, JointArray<double>(model_->jointCount(), 1)} {
     world_.placeRobot(0, {}, &command_.angle);
     run(0.5);
@@ -75,6 +77,12 @@ class Trial {
   }
 
  private:
+  static sim::WorldOptions options(std::uint64_t seed) {
+    sim::WorldOptions options(fromSeconds(0.002));
+    options.seed = seed;
+    return options;
+  }
+
   void cycle() {
     gait_->update(world_.readSensors(0), command_);
     world_.setCommand(0, command_);
