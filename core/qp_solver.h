@@ -4,6 +4,8 @@
 
 #include <Eigen/Dense>
 
+#include "core/archive.h"
+
 namespace nao {
 
 /// A strictly convex quadratic program:
@@ -41,6 +43,9 @@ class QpSolver {
 
   /// Forgets which constraints were active: the next problem is not like the one before.
   void forget() { warm_.clear(); }
+
+  /// Lists what the next call remembers of the last.
+  void archive(Archive& archive) { archive.list(warm_); }
 
  private:
   void start(const QpProblem& problem);

@@ -8,7 +8,9 @@ struct Tuning {
   double double_support_share = 1.0 / 3;  // of a step's period; Aldebaran's
   double start_double_support = 0.6;      // [s] before the first foot lifts; Aldebaran's
   double end_double_support = 0.6;        // [s] after the last foot landed; Aldebaran's
-  double preview = 1.2;                   // [s] Aldebaran's 0.8 at least; 0.8 walks as well
+  double zmp_lead = 0.02;                 // [s] the pressure is asked for early, as commands come
+                                          // late; free, 0-0.03
+  double support_margin = 0.01;           // [m] the pressure keeps inside of the soles; free
   double knee_bend = 0.1;         // hip lowered from straight, of the leg's length; free: from 0.09
                                   // on steps of 0.08 m with a turn are within reach
   double torso_pitch = 0.0;       // [rad] forward lean; free

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "walk_engine/balance.h"
+#include "walk_engine/com_planner.h"
 #include "walk_engine/footstep_plan.h"
 #include "walk_engine/levelling.h"
-#include "walk_engine/preview_control.h"
 #include "walk_engine/servo_lead.h"
 #include "walk_engine/stance.h"
 #include "walk_engine/step_rules.h"
@@ -20,11 +20,10 @@ namespace {
 using motion::GaitConfig;
 using motion::Velocity2;
 
-constexpr double kGravity = 9.80665;  // [m/s^2]
-constexpr double kMinRise = 0.1;      // [s] into the walking pose, at least
-constexpr double kRiseSpeed = 0.35;   // of a joint's top speed, on average at most
-constexpr double kOverlap = 0.4;      // [s] the rise may still take when the weight begins to move
-constexpr double kAtRest = 0.002;     // [m/s] of the centre of mass
+constexpr double kMinRise = 0.1;     // [s] into the walking pose, at least
+constexpr double kRiseSpeed = 0.35;  // of a joint's top speed, on average at most
+constexpr double kOverlap = 0.4;     // [s] the rise may still take when the weight begins to move
+constexpr double kAtRest = 0.002;    // [m/s] of the centre of mass
 
 // Arms where they hang while standing, for the height of the centre of mass.
 JointArray<double> standingAngles(const RobotModel& model) {
@@ -87,7 +86,7 @@ class ZmpGait final : public motion::Gait {
   Balance balance_;
   Levelling levelling_;
   double com_height_;  // [m]
-  PreviewControl preview_;
+  ComPlanner com_;
   FootstepPlan plan_;
 
   Phase phase_ = Phase::Idle;
@@ -95,8 +94,6 @@ class ZmpGait final : public motion::Gait {
   std::int64_t tick_ = 0;
   SimTime now_{};
   Rise rise_;
-  PreviewControl::State com_x_, com_y_;
-  std::vector<double> zmp_x_, zmp_y_;  // [m] reference over the preview
   Pose2 position_;
   std::array<std::optional<Joint>, 2> shoulder_;  // pitch, by side
   std::array<double, 2> shoulder_rest_{};         // [rad] where the swing is about
@@ -112,10 +109,8 @@ ZmpGait::ZmpGait(std::shared_ptr<const RobotModel> model, const Tuning& tuning)
       levelling_(*model_, tuning),
       com_height_(
           stance_.calcComHeight(tuning.knee_bend, tuning.torso_pitch, standingAngles(*model_))),
-      preview_(com_height_, kGravity, dt_, static_cast<int>(std::lround(tuning.preview / dt_))),
+      com_(*model_, tuning, dt_),
       plan_(tuning, dt_),
-      zmp_x_(static_cast<std::size_t>(preview_.samples()) + 1),
-      zmp_y_(zmp_x_.size()),
       shoulder_{model_->findJoint("LShoulderPitch"), model_->findJoint("RShoulderPitch")} {}
 
 void ZmpGait::walkTo(const Pose2& target, const GaitConfig& config) {
@@ -183,9 +178,7 @@ void ZmpGait::begin(const JointCommand& command) {
   position_ = robotPlace(feet);
   plan_.reset(feet, tick_);
   com_height_ = stance_.calcComHeight(tuning_.knee_bend, tuning_.torso_pitch, command.angle);
-  const Eigen::Vector2d zmp = plan_.calcZmp(tick_);
-  com_x_ = {zmp.x(), 0, 0, 0};
-  com_y_ = {zmp.y(), 0, 0, 0};
+  com_.reset(com_height_, plan_.calcZmp(tick_), tick_);
   JointArray<double> walking = command.angle;
   pose(walking, true);
   planRise(command.angle, walking);
@@ -220,7 +213,7 @@ void ZmpGait::walk(const SensorFrame& measured, JointCommand& command) {
     phase_ = Phase::Walking;
     plan_.follow(goal_, tick_);
   }
-  plan_.advance(tick_, tick_ + preview_.samples() + 1);
+  plan_.advance(tick_, tick_ + com_.horizon());
   moveCom();
   const JointArray<double> last = command.angle;
   swingArms(command);
@@ -229,7 +222,7 @@ void ZmpGait::walk(const SensorFrame& measured, JointCommand& command) {
   balance(measured, command.angle);
   limitSpeed(last, command.angle);
   position_ = robotPlace({placeOf(Foot::Left), placeOf(Foot::Right)});
-  const bool calm = std::hypot(com_x_.velocity, com_y_.velocity) < kAtRest;
+  const bool calm = com_.velocity().norm() < kAtRest;
   if (plan_.atRest(tick_) && calm && rise_.left() == 0) phase_ = Phase::Idle;
 }
 
@@ -258,20 +251,14 @@ Eigen::Vector2d ZmpGait::calcSwingAcceleration(std::int64_t tick) const {
 }
 
 void ZmpGait::moveCom() {
-  for (std::size_t j = 0; j < zmp_x_.size(); ++j) {
-    const std::int64_t tick = tick_ + static_cast<std::int64_t>(j);
-    const Eigen::Vector2d zmp =
-        plan_.calcZmp(tick) - tuning_.swing_reaction * calcSwingAcceleration(tick);
-    zmp_x_[j] = zmp.x();
-    zmp_y_[j] = zmp.y();
-  }
-  preview_.step(zmp_x_, com_x_);
-  preview_.step(zmp_y_, com_y_);
+  com_.advance(plan_, tick_, [this](std::int64_t tick) {
+    return Eigen::Vector2d(tuning_.swing_reaction * calcSwingAcceleration(tick));
+  });
 }
 
 StanceDemand ZmpGait::calcDemand() const {
   StanceDemand demand;
-  demand.com = Vec3(com_x_.position, com_y_.position, com_height_);
+  demand.com << com_.position(), com_height_;
   demand.roll = goal_.config.torso_wx;
   demand.pitch = tuning_.torso_pitch + goal_.config.torso_wy;
   for (std::size_t i = 0; i < 2; ++i) demand.X_OS[i] = onFloor(plan_.feet()[i]);
@@ -356,8 +343,7 @@ void ZmpGait::archive(Archive& archive) {
   archive.value(rise_.offset);
   archive.value(rise_.ticks);
   archive.value(rise_.done);
-  com_x_.archive(archive);
-  com_y_.archive(archive);
+  com_.archive(archive);
   archive.value(position_);
   archive.value(shoulder_rest_);
 }

@@ -6,7 +6,8 @@
 #include "tests/walk_engine/trial.h"
 
 // Walks in physics at 2 ms steps. Bands: commanded and true way may differ by 5 % of the way plus
-// 1 cm, the bar the project sets itself for odometry; heading by 3 degrees; the torso may lean by
+// 1 cm, the bar the project sets itself for odometry; heading by 3 degrees, and on a turn at full
+// rate, which goes round more than half, by the same 5 %; the torso may lean by
 // 5 degrees, far from any fall (about 15). One walk is deterministic, so a broken gait shows here,
 // not an unlucky one.
 namespace nao::walk {
@@ -16,15 +17,16 @@ using motion::GaitConfig;
 using test::Trial;
 
 constexpr double kDegree = M_PI / 180;
+constexpr double kFullTurn = 190 * kDegree;  // at least, in these 5 s
 
-void expectTrue(const Trial& trial, const std::string& what) {
+void expectTrue(const Trial& trial, const std::string& what, double heading = 3 * kDegree) {
   const Pose2 odometry = trial.odometry();
   const Pose2 off = relativeTo(odometry, trial.truth());
   const double way = std::hypot(odometry.x, odometry.y);
   SCOPED_TRACE(what + ": " + trial.summary());
   EXPECT_LT(trial.maxTilt(), 5 * kDegree);
   EXPECT_LT(std::hypot(off.x, off.y), 0.05 * way + 0.01);
-  EXPECT_LT(std::abs(off.theta), 3 * kDegree);
+  EXPECT_LT(std::abs(off.theta), heading);
   std::printf("  %-28s %s\n", what.c_str(), trial.summary().c_str());
 }
 
@@ -56,7 +58,7 @@ TEST_P(WalkPhysics, GoesEveryWayAtFullSpeedForFiveSeconds) {
     trial.run(4.4);
     trial.gait().stop();
     trial.runToEnd();
-    expectTrue(trial, way.name);
+    expectTrue(trial, way.name, std::max(3 * kDegree, 0.05 * std::abs(way.theta) * kFullTurn));
     EXPECT_FALSE(trial.gait().active());
   }
 }
@@ -69,7 +71,7 @@ TEST_P(WalkPhysics, TurnsByTheThesisAngleInTwelveStepsBothWays) {
     trial.run(0.28 + 10.5 * 0.42);  // the first swing, ten steps, half of the twelfth
     trial.gait().stop();
     trial.runToEnd();
-    expectTrue(trial, "turn, twelve steps");
+    expectTrue(trial, "turn, twelve steps", 0.05 * kFullTurn);
     // 210 degrees, give or take 5 %, less a full turn.
     EXPECT_NEAR(wrapAngle(trial.truth().theta - side * 210 * kDegree), 0, 0.05 * 210 * kDegree);
   }
