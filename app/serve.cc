@@ -15,6 +15,7 @@ namespace {
 struct Arguments {
   daemon::Options options;
   std::vector<std::string> robots;
+  std::vector<std::string> behaviors;
   std::string speed = "1";
   std::string mode = "implicit";
 };
@@ -48,6 +49,8 @@ void serve(Arguments& arguments) {
   options.mode = parseMode(arguments.mode);
   options.world = findSourceFile(options.world);
   options.robots_dir = findSourceFile(options.robots_dir);
+  options.behaviors = shippedMotions();
+  for (const std::string& folder : arguments.behaviors) options.behaviors.push_back(folder);
 
   daemon::raiseDescriptorLimit();
   daemon::Daemon daemon(options);
@@ -92,6 +95,9 @@ void addServe(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--robots-dir", options.robots_dir, "Where the robots' folders are.")
       ->capture_default_str();
+  command->add_option("--behaviors", arguments->behaviors,
+                      "A folder of behaviors or motion files to install on every robot, beside\n"
+                      "those shipped here. Repeat it for more.");
   command->add_flag("--strict", options.strict,
                     "Refuse calls before authentication, as libqi 4 does (default: answer them,\n"
                     "as NAOqi 2.1 to 2.8 do).");

@@ -5,33 +5,52 @@
 #include <vector>
 
 #include "core/check.h"
+#include "motion/timeline/motion_file.h"
 
 namespace nao::app {
 
+namespace {
+
+namespace fs = std::filesystem;
+
+// In order of their names; none if there is no such folder.
+std::vector<fs::path> motionsIn(const std::string& folder) {
+  std::vector<fs::path> files;
+  if (!fs::is_directory(folder)) return files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.is_directory() || motion::isMotionFile(entry)) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace
+
 std::string findSourceFile(const std::string& path) {
-  namespace fs = std::filesystem;
   if (fs::exists(path) || fs::path(path).is_absolute()) return path;
   const fs::path shipped = fs::path(NAO_SOURCE_DIR) / path;
   return fs::exists(shipped) ? shipped.string() : path;
 }
 
-std::string findMotionFile(const std::string& name, const std::string& robot) {
-  namespace fs = std::filesystem;
-  if (fs::exists(name)) return name;
-  std::vector<fs::path> shipped;
-  for (const std::string& folder : {"robots/" + robot + "/motions", std::string("robots/motions"),
-                                    std::string("examples/motions")}) {
+std::vector<std::string> shippedMotions() {
+  std::vector<std::string> folders;
+  for (const char* folder : {"examples/motions", "motions"}) {
     const fs::path place = fs::path(NAO_SOURCE_DIR) / folder;
-    if (!fs::is_directory(place)) continue;
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator(place)) files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    shipped.insert(shipped.end(), files.begin(), files.end());
+    if (fs::is_directory(place)) folders.push_back(place.string());
   }
+  return folders;
+}
+
+std::string findMotionFile(const std::string& name, const std::string& robot) {
+  if (fs::exists(name)) return name;
+  std::vector<std::string> folders = shippedMotions();
+  folders.push_back((fs::path(NAO_SOURCE_DIR) / "robots" / robot / "motions").string());
   std::string known;
-  for (const fs::path& file : shipped) {
-    if (file.stem() == name || file.filename() == name) return file.string();
-    known += " " + file.stem().string();
+  for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder) {
+    for (const fs::path& file : motionsIn(*folder)) {
+      if (file.stem() == name || file.filename() == name) return file.string();
+      known += " " + file.stem().string();
+    }
   }
   throw InputError(name + ": no such file, nor a motion of that name here:" + known);
 }

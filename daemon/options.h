@@ -21,6 +21,9 @@ struct Options {
   std::vector<RobotOption> robots;  // empty: those of the world file, else one nao_h21_v33
   std::string world = "worlds/empty.yaml";
   std::string robots_dir = "robots";
+  /// Folders of motions and behaviors that every robot has installed, beside those in its own
+  /// robots_dir/<model>/motions; later ones win.
+  std::vector<std::string> behaviors;
   std::string listen = "127.0.0.1";
   std::uint16_t port = 9559;  // robot i listens on port + i; 0: any free one for each
   double speed = 1;           // simulated seconds per second; infinite: as fast as it goes

@@ -3,7 +3,11 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include <filesystem>
+
 #include "daemon/machine_id.h"
+#include "naoqi_api/services/al_animation_player.h"
+#include "naoqi_api/services/al_behavior_manager.h"
 #include "naoqi_api/services/al_frame_manager.h"
 #include "naoqi_api/services/al_motion.h"
 #include "naoqi_api/services/al_robot_posture.h"
@@ -29,6 +33,8 @@ RobotHost::RobotHost(const HostContext& context, std::size_t robot)
       speech_(memory_.store(), callLater(),
               [](const std::string& text) { spdlog::info("says: {}", text); }),
       system_(memory_.store(), context.simulation.robotName(robot)),
+      behaviors_(std::make_shared<services::BehaviorRunner>(link_, installedBehaviors(context),
+                                                            behaviorHooks())),
       hub_(hubOptions(context)) {
   addServices();
   server_ = std::make_unique<Server>(context.io, hub_, context.options.listen,
@@ -53,6 +59,23 @@ rpc::CallLater RobotHost::callLater() {
 
 Duration RobotHost::naoqiTime() const { return kEpoch + link_.now().time_since_epoch(); }
 
+std::shared_ptr<services::BehaviorLibrary> RobotHost::installedBehaviors(
+    const HostContext& context) const {
+  namespace fs = std::filesystem;
+  auto library = std::make_shared<services::BehaviorLibrary>();
+  const fs::path own = fs::path(context.options.robots_dir) / link_.model().name / "motions";
+  if (fs::is_directory(own)) library->addFolder(own);
+  for (const std::string& folder : context.options.behaviors) library->addFolder(folder);
+  return library;
+}
+
+services::BehaviorRunner::Hooks RobotHost::behaviorHooks() {
+  return {[](const std::string& text) { spdlog::warn("{}", text); },
+          [this](const std::vector<std::string>& running) {
+            memory_.store().raiseEvent("BehaviorsRun", rpc::toValue(running));
+          }};
+}
+
 void RobotHost::addServices() {
   const auto warn = [](const std::string& text) { spdlog::warn("{}", text); };
   hub_.add(al_memory_.describe());
@@ -60,7 +83,10 @@ void RobotHost::addServices() {
   hub_.add(speech_.describe());
   hub_.add(services::makeAlMotion(link_));
   hub_.add(services::makeAlRobotPosture(link_));
-  hub_.add(services::makeAlFrameManager(link_, warn));
+  hub_.add(services::makeAlFrameManager(
+      link_, warn, std::make_shared<services::BehaviorLibrary>(behaviors_->library())));
+  hub_.add(services::makeAlBehaviorManager(behaviors_));
+  hub_.add(services::makeAlAnimationPlayer(behaviors_));
   hub_.add(video_.describe());
   hub_.add(usar_sim_.describe());
 }

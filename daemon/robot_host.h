@@ -19,6 +19,7 @@
 #include "naoqi_api/services/al_system.h"
 #include "naoqi_api/services/al_text_to_speech.h"
 #include "naoqi_api/services/al_video_device.h"
+#include "naoqi_api/services/behavior_runner.h"
 
 namespace nao::daemon {
 
@@ -51,6 +52,8 @@ class RobotHost {
   rpc::CallLater callLater();
   Duration naoqiTime() const;
   void addServices();
+  std::shared_ptr<services::BehaviorLibrary> installedBehaviors(const HostContext& context) const;
+  services::BehaviorRunner::Hooks behaviorHooks();
 
   services::RobotLink link_;
   std::shared_ptr<camera::ImageFeed> images_;
@@ -61,6 +64,7 @@ class RobotHost {
   services::AlMemory al_memory_;
   services::AlTextToSpeech speech_;
   services::AlSystem system_;
+  std::shared_ptr<services::BehaviorRunner> behaviors_;
   rpc::ServiceHub hub_;
   std::unique_ptr<Server> server_;
 };

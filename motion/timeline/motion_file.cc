@@ -1,5 +1,6 @@
 #include "motion/timeline/motion_file.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -88,6 +89,13 @@ Timeline readMotion(const std::string& text, const std::string& source, const Ro
 Timeline loadMotion(const std::filesystem::path& file, const RobotModel& model) {
   const MotionSource source = openMotion(file);
   return readMotion(source.text, source.file.string(), model);
+}
+
+bool isMotionFile(const std::filesystem::path& file) {
+  const auto has_ending = [&](const Format& format) {
+    return file.extension() == format.extension;
+  };
+  return std::any_of(std::begin(kFormats), std::end(kFormats), has_ending);
 }
 
 Timeline loadBox(const std::filesystem::path& file, const std::string& box,

@@ -16,6 +16,9 @@ namespace nao::motion {
 /// joint angles (.kmc, .pmt).
 Timeline loadMotion(const std::filesystem::path& file, const RobotModel& model);
 
+/// Whether a file has the ending of a motion that loadMotion() may play. The file is not opened.
+bool isMotionFile(const std::filesystem::path& file);
+
 /// The timeline of one box of a behavior (.xar, .crg, .pml, folder), as if it were started alone.
 /// @throws InputError as loadMotion(), or with the boxes there are if none is called `box`.
 Timeline loadBox(const std::filesystem::path& file, const std::string& box,

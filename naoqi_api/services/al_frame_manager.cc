@@ -1,12 +1,15 @@
 #include "naoqi_api/services/al_frame_manager.h"
 
+#include <cmath>
 #include <map>
 #include <vector>
 
 #include "core/check.h"
+#include "motion/timeline/motion_file.h"
 #include "motion/timeline/xar.h"
 #include "naoqi_api/al_module.h"
 #include "naoqi_api/services/naoqi_method.h"
+#include "naoqi_api/services/playback.h"
 
 namespace nao::services {
 namespace {
@@ -15,25 +18,25 @@ constexpr std::size_t kMostBehaviors = 256;  // free: what a client may leave be
 
 class AlFrameManager {
  public:
-  AlFrameManager(RobotLink& link, std::function<void(const std::string&)> warn)
-      : link_(link), warn_(std::move(warn)) {}
+  AlFrameManager(RobotLink& link, std::shared_ptr<const BehaviorLibrary> library,
+                 std::function<void(const std::string&)> warn)
+      : link_(link), library_(std::move(library)), warn_(std::move(warn)) {}
   void declare(rpc::Service& service);
 
  private:
   struct Behavior {
     std::string path;
-    motion::Timeline timeline;
-    motion::RequestId request = 0;  // while it runs
-    bool played = false;
-    std::vector<rpc::Pending<void>> waiting;  // for its end
+    std::shared_ptr<Playback> playback;
   };
 
   std::string newBehavior(const std::string& path, const std::string& xml);
   std::string newBehaviorFromFile(const std::string& file, const std::string& name);
+  std::string add(const std::string& path, motion::Timeline timeline);
   void playBehavior(const std::string& id);
   rpc::Pending<void> completeBehavior(const std::string& id);
   bool isBehaviorRunning(const std::string& id);
   float getMotionLength(const std::string& id);
+  int getTimelineFps(const std::string& id);
   std::string getBehaviorPath(const std::string& id);
   void exitBehavior(const std::string& id);
   void deleteBehavior(const std::string& id);
@@ -41,9 +44,9 @@ class AlFrameManager {
   std::vector<std::string> behaviors();
 
   Behavior& find(const std::string& id);
-  void ended(const std::string& id, motion::RequestId request, const std::string& failure);
 
   RobotLink& link_;
+  std::shared_ptr<const BehaviorLibrary> library_;
   std::function<void(const std::string&)> warn_;
   std::map<std::string, Behavior> behaviors_;
   int last_id_ = 0;
@@ -55,22 +58,29 @@ void AlFrameManager::declare(rpc::Service& service) {
   addMethod(service, "newBehavior", this, &Self::newBehavior,
             "Reads a behavior and returns its id.",
             rpc::Argument{"path", "What to call it in messages."},
-            rpc::Argument{"xmlFile", "The text of a .xar file."});
+            rpc::Argument{"xmlFile",
+                          "The text of a .xar file, or of a motion file of another\n"
+                          "kind, which `path` then ends in."});
   addMethod(service, "newBehaviorFromFile", this, &Self::newBehaviorFromFile,
-            "Not simulated: the robot has no files of the client's.",
-            rpc::Argument{"xmlFilePath", "A file on the robot."},
-            rpc::Argument{"behName", "Name of the behavior."});
-  addMethod(service, "playBehavior", this, &Self::playBehavior,
-            "Starts a behavior and does not wait.", id);
+            "Reads an installed behavior and returns its id.",
+            rpc::Argument{"xmlFilePath", "Name of an installed behavior."},
+            rpc::Argument{"behName", "What to call it in messages."});
+  for (const char* name : {"playBehavior", "playTimeline"}) {
+    addMethod(service, name, this, &Self::playBehavior, "Starts a behavior and does not wait.", id);
+  }
   addMethod(service, "completeBehavior", this, &Self::completeBehavior,
             "Waits until a behavior has ended; starts it if it never was.", id);
   addMethod(service, "isBehaviorRunning", this, &Self::isBehaviorRunning,
             "Whether a behavior plays.", id);
   addMethod(service, "getMotionLength", this, &Self::getMotionLength,
             "How long the motion of a behavior takes [s].", id);
+  addMethod(service, "getTimelineFps", this, &Self::getTimelineFps,
+            "The frames per second of a behavior's first timeline.", id);
   addMethod(service, "getBehaviorPath", this, &Self::getBehaviorPath,
             "What newBehavior was told to call it.", id);
-  addMethod(service, "exitBehavior", this, &Self::exitBehavior, "Ends a behavior.", id);
+  for (const char* name : {"exitBehavior", "stopTimeline"}) {
+    addMethod(service, name, this, &Self::exitBehavior, "Ends a behavior.", id);
+  }
   addMethod(service, "deleteBehavior", this, &Self::deleteBehavior,
             "Ends a behavior and forgets it.", id);
   addMethod(service, "cleanBehaviors", this, &Self::cleanBehaviors,
@@ -78,28 +88,49 @@ void AlFrameManager::declare(rpc::Service& service) {
   addMethod(service, "behaviors", this, &Self::behaviors, "The ids of all behaviors.");
 }
 
+// XML is a behavior unless it says that it is an animation; the rest tells by its ending.
+motion::Timeline readText(const std::string& text, const std::string& name,
+                          const RobotModel& model) {
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  const bool xml = begin != std::string::npos && text[begin] == '<';
+  const bool animation = xml && text.find("<Animation") != std::string::npos;
+  if (xml && !animation) return motion::readXar(text, name, model);
+  return motion::readMotion(text, name, model);
+}
+
 std::string AlFrameManager::newBehavior(const std::string& path, const std::string& xml) {
-  if (behaviors_.size() == kMostBehaviors) {
-    throw rpc::CallError("too many behaviors: delete some first");
-  }
-  Behavior behavior;
-  behavior.path = path;
   try {
-    behavior.timeline = motion::readXar(xml, path.empty() ? "behavior" : path, link_.model());
+    return add(path, readText(xml, path.empty() ? "behavior" : path, link_.model()));
   } catch (const InputError& error) {
     throw rpc::CallError(error.what());
   }
-  if (warn_) {
-    for (const std::string& sentence : behavior.timeline.warnings) warn_(sentence);
-  }
-  const std::string id = std::to_string(++last_id_);
-  behaviors_.emplace(id, std::move(behavior));
-  return id;
 }
 
-std::string AlFrameManager::newBehaviorFromFile(const std::string& /*file*/,
-                                                const std::string& /*name*/) {
-  throw rpc::CallError("not simulated: send the text of the file with newBehavior");
+std::string AlFrameManager::newBehaviorFromFile(const std::string& file, const std::string& name) {
+  const std::string installed = library_ ? library_->resolve(file) : std::string();
+  if (installed.empty()) {
+    throw rpc::CallError("no installed behavior is called " + file.substr(0, 200) +
+                         ": send the text of the file with newBehavior");
+  }
+  try {
+    return add(name.empty() ? installed : name,
+               motion::loadMotion(library_->fileOf(installed), link_.model()));
+  } catch (const InputError& error) {
+    throw rpc::CallError(error.what());
+  }
+}
+
+std::string AlFrameManager::add(const std::string& path, motion::Timeline timeline) {
+  if (behaviors_.size() == kMostBehaviors) {
+    throw rpc::CallError("too many behaviors: delete some first");
+  }
+  if (warn_) {
+    for (const std::string& sentence : timeline.warnings) warn_(sentence);
+    for (const motion::KeyFault& fault : timeline.key_faults) warn_(fault.sentence);
+  }
+  const std::string id = std::to_string(++last_id_);
+  behaviors_[id] = {path, std::make_shared<Playback>(link_, std::move(timeline))};
+  return id;
 }
 
 AlFrameManager::Behavior& AlFrameManager::find(const std::string& id) {
@@ -108,62 +139,34 @@ AlFrameManager::Behavior& AlFrameManager::find(const std::string& id) {
   return found->second;
 }
 
-void AlFrameManager::playBehavior(const std::string& id) {
-  Behavior& behavior = find(id);
-  if (behavior.request != 0) return;
-  motion::Interpolate request;
-  request.curves = behavior.timeline.curves;
-  request.smooth = false;
-  const motion::RequestId posted = link_.post(std::move(request));
-  behavior.request = posted;
-  behavior.played = true;
-  link_.outcomeOf(posted).whenDone([this, id, posted](const auto& outcome) {
-    ended(id, posted, outcome.value ? outcome.value->reason : std::string());
-  });
-}
-
-void AlFrameManager::ended(const std::string& id, motion::RequestId request,
-                           const std::string& failure) {
-  const auto found = behaviors_.find(id);
-  if (found == behaviors_.end() || found->second.request != request) return;
-  found->second.request = 0;
-  std::vector<rpc::Pending<void>> waiting;
-  waiting.swap(found->second.waiting);
-  for (const auto& call : waiting) failure.empty() ? call.resolve() : call.fail(failure);
-}
+void AlFrameManager::playBehavior(const std::string& id) { find(id).playback->start(); }
 
 rpc::Pending<void> AlFrameManager::completeBehavior(const std::string& id) {
-  if (!find(id).played) playBehavior(id);
-  Behavior& behavior = find(id);
-  rpc::Pending<void> done;
-  if (behavior.request == 0) {
-    done.resolve();
-    return done;
-  }
-  done.onCancel([this, request = behavior.request] { link_.kill(request); });
-  behavior.waiting.push_back(done);
-  return done;
+  Playback& playback = *find(id).playback;
+  if (!playback.wasStarted()) playback.start();
+  return playback.untilEnd();
 }
 
-bool AlFrameManager::isBehaviorRunning(const std::string& id) { return find(id).request != 0; }
+bool AlFrameManager::isBehaviorRunning(const std::string& id) {
+  return find(id).playback->isRunning();
+}
 
 float AlFrameManager::getMotionLength(const std::string& id) {
-  return static_cast<float>(find(id).timeline.length);
+  return static_cast<float>(find(id).playback->timeline().length);
+}
+
+int AlFrameManager::getTimelineFps(const std::string& id) {
+  const auto& clocks = find(id).playback->timeline().clocks;
+  if (clocks.empty()) throw rpc::CallError("this behavior does not count frames");
+  return static_cast<int>(std::lround(clocks.front().fps));
 }
 
 std::string AlFrameManager::getBehaviorPath(const std::string& id) { return find(id).path; }
 
-void AlFrameManager::exitBehavior(const std::string& id) {
-  const Behavior& behavior = find(id);
-  if (behavior.request != 0) link_.post(motion::Kill{behavior.request});
-}
+void AlFrameManager::exitBehavior(const std::string& id) { find(id).playback->stop(); }
 
 void AlFrameManager::deleteBehavior(const std::string& id) {
-  const motion::RequestId request = find(id).request;
-  if (request != 0) {
-    link_.kill(request);
-    ended(id, request, {});
-  }
+  find(id).playback->drop();
   behaviors_.erase(id);
 }
 
@@ -180,10 +183,11 @@ std::vector<std::string> AlFrameManager::behaviors() {
 }  // namespace
 
 std::shared_ptr<rpc::Service> makeAlFrameManager(RobotLink& link,
-                                                 std::function<void(const std::string&)> warn) {
+                                                 std::function<void(const std::string&)> warn,
+                                                 std::shared_ptr<const BehaviorLibrary> library) {
   auto service = std::make_shared<rpc::Service>(
       rpc::alModule("ALFrameManager", "Plays behaviors made with Choregraphe."));
-  const auto manager = std::make_shared<AlFrameManager>(link, std::move(warn));
+  const auto manager = std::make_shared<AlFrameManager>(link, std::move(library), std::move(warn));
   manager->declare(*service);
   service->owning(manager);
   return service;

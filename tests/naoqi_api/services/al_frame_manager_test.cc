@@ -54,6 +54,19 @@ TEST_F(AlFrameManagerTest, PlaysABehaviorToItsEnd) {
   EXPECT_NEAR(yaw(), 45 * M_PI / 180, 1e-9);
 }
 
+TEST_F(AlFrameManagerTest, PlaysMotionsOfEveryKind) {
+  const std::string id =
+      *call("newBehavior", {"wave.motion", "#WEBOTS_MOTION,V1.0,HeadYaw\n00:01:500,a,0.3\n"})
+           .findText();
+  EXPECT_FLOAT_EQ(call("getMotionLength", {id}).to<float>(), 1.5F);
+  call("completeBehavior", {id});
+  EXPECT_NEAR(yaw(), 0.3, 1e-9);
+}
+
+TEST_F(AlFrameManagerTest, FramesPerSecondAreThoseOfTheFile) {
+  EXPECT_EQ(call("getTimelineFps", {load()}).to<int>(), 25);
+}
+
 TEST_F(AlFrameManagerTest, SaysWhatItLeavesOut) {
   load();
   EXPECT_EQ(warnings, Names{"look.xar:1: this robot has no joint Wheel"});
@@ -109,8 +122,8 @@ TEST_F(AlFrameManagerTest, MistakesInABehaviorAreToldWithTheirLine) {
 
 TEST_F(AlFrameManagerTest, FilesOfTheHostAreOutOfReach) {
   EXPECT_EQ(bench.errorOf(*frames, "newBehaviorFromFile", {"/etc/passwd", "x"}),
-            "\tALFrameManager::newBehaviorFromFile\n\tnot simulated: send the text of the file "
-            "with newBehavior");
+            "\tALFrameManager::newBehaviorFromFile\n\tno installed behavior is called /etc/passwd: "
+            "send the text of the file with newBehavior");
 }
 
 TEST_F(AlFrameManagerTest, AClientCannotLeaveBehaviorsWithoutEnd) {

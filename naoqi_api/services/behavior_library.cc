@@ -1,0 +1,88 @@
+#include "naoqi_api/services/behavior_library.h"
+
+#include <algorithm>
+
+#include "core/check.h"
+#include "motion/timeline/motion_file.h"
+
+namespace nao::services {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kDeepest = 12;  // free choice: folders in folders; ends a circle of links
+constexpr const char* kPrefixes[] = {"User/", "System/", "animations/",
+                                     ".lastUploadedChoregrapheBehavior/"};
+constexpr const char* kBehavior = "behavior.xar";
+
+std::string joined(const std::string& prefix, const fs::path& name) {
+  return prefix.empty() ? name.string() : prefix + "/" + name.string();
+}
+
+bool endsWithPart(const std::string& name, const std::string& part) {
+  if (name.size() <= part.size() + 1) return false;
+  const std::size_t at = name.size() - part.size();
+  return name[at - 1] == '/' && name.compare(at, part.size(), part) == 0;
+}
+
+std::string withoutPrefix(const std::string& name) {
+  for (const std::string prefix : kPrefixes) {
+    if (name.rfind(prefix, 0) == 0) return name.substr(prefix.size());
+  }
+  return name;
+}
+
+}  // namespace
+
+void BehaviorLibrary::addFolder(const fs::path& folder) {
+  if (!fs::is_directory(folder)) {
+    throw InputError(folder.string() + ": expected a folder of behaviors");
+  }
+  if (fs::exists(folder / kBehavior)) {
+    behaviors_[fs::canonical(folder).filename().string()] = folder;
+  } else {
+    addTree(folder, "", 0);
+  }
+}
+
+void BehaviorLibrary::addTree(const fs::path& folder, const std::string& prefix, int depth) {
+  if (depth > kDeepest) return;
+  std::error_code unreadable;  // what can not be read is not installed
+  for (const auto& entry : fs::directory_iterator(folder, unreadable)) {
+    const fs::path& path = entry.path();
+    if (!entry.is_directory(unreadable)) {
+      if (motion::isMotionFile(path)) behaviors_[joined(prefix, path.stem())] = path;
+    } else if (fs::exists(path / kBehavior, unreadable)) {
+      behaviors_[joined(prefix, path.filename())] = path;
+    } else {
+      addTree(path, joined(prefix, path.filename()), depth + 1);
+    }
+  }
+}
+
+std::string BehaviorLibrary::resolve(const std::string& name) const {
+  const std::string bare = withoutPrefix(name);
+  for (const std::string& candidate : {name, bare}) {
+    if (behaviors_.count(candidate) > 0) return candidate;
+  }
+  std::vector<std::string> found;
+  for (const auto& [known, path] : behaviors_) {
+    const bool in_package = known.rfind(bare + "/", 0) == 0;
+    if (!bare.empty() && (in_package || endsWithPart(known, bare))) found.push_back(known);
+  }
+  return found.size() == 1 ? found.front() : std::string();
+}
+
+const fs::path& BehaviorLibrary::fileOf(const std::string& full_name) const {
+  const auto found = behaviors_.find(full_name);
+  NAO_CHECK(found != behaviors_.end());
+  return found->second;
+}
+
+std::vector<std::string> BehaviorLibrary::names() const {
+  std::vector<std::string> names;
+  for (const auto& [name, path] : behaviors_) names.push_back(name);
+  return names;
+}
+
+}  // namespace nao::services
