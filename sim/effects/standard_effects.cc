@@ -47,6 +47,7 @@ EffectType processNoise();
 EffectType jointZero();
 EffectType startPose();
 EffectType floorFriction();
+EffectType massSpread();
 
 const EffectCatalogue& standardEffects() {
   static const EffectCatalogue catalogue = [] {
@@ -95,6 +96,7 @@ const EffectCatalogue& standardEffects() {
     all.add(jointZero());
     all.add(startPose());
     all.add(floorFriction());
+    all.add(massSpread());
     return all;
   }();
   return catalogue;

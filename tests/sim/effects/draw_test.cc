@@ -103,5 +103,27 @@ TEST(StartPose, MovesWhereTheRobotStartsByWhatItLists) {
   EXPECT_NEAR(X.translation().y() - X_ideal.translation().y(), draw.at("nao.start_pose.y"), 1e-9);
 }
 
+TEST(Draw, MassSpreadChangesEveryBodyWithinItsPart) {
+  constexpr double kPart = 0.05;
+  auto model = std::make_shared<RobotModel>(*nao::test::robot("nao_h21_v33_ideal"));
+  model->variation = {{"mass_spread", {{"part", kPart}}, {}, "test"}};
+  double least = 2, most = 0;
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    BodyPlan plan(*model, *nao::test::flatWorld());
+    EffectChain chain = chainOf(*model, model->variation, seed);
+    chain.alterPlan(plan);
+    for (std::size_t b = 0; b < model->bodies.size(); ++b) {
+      const double factor = plan.model.bodies[b].mass / model->bodies[b].mass;
+      EXPECT_NEAR(factor, chain.draw().at("mass_spread." + model->bodies[b].name), 1e-12);
+      least = std::min(least, factor);
+      most = std::max(most, factor);
+    }
+  }
+  EXPECT_GE(least, 1 - kPart);
+  EXPECT_LT(least, 1 - 0.98 * kPart);
+  EXPECT_LE(most, 1 + kPart);
+  EXPECT_GT(most, 1 + 0.98 * kPart);
+}
+
 }  // namespace
 }  // namespace nao::sim::test
