@@ -25,6 +25,7 @@ struct Arguments {
 void run(Arguments& arguments) {
   validation::ExperimentSettings& settings = arguments.settings;
   settings.robots_dir = findSourceFile(settings.robots_dir);
+  settings.motions_dir = findSourceFile(settings.motions_dir);
   if (!settings.world.empty()) settings.world = findSourceFile(settings.world);
   settings.step = fromSeconds(arguments.step);
   settings.mode = parseMode(arguments.mode);

@@ -10,9 +10,9 @@ bool Experiment::heeds(Choice choice) const {
 
 const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> all{
-      gravityExperiment(), timestepExperiment(), standExperiment(),
-      thrashExperiment(),  headYawExperiment(),  robotsExperiment(),
-      sonarExperiment(),   walkExperiment(),     turnExperiment()};
+      gravityExperiment(), timestepExperiment(), standExperiment(),      thrashExperiment(),
+      kickExperiment(),    taichiExperiment(),   singlestepExperiment(), walkExperiment(),
+      turnExperiment(),    headYawExperiment(),  robotsExperiment(),     sonarExperiment()};
   return all;
 }
 

@@ -20,6 +20,7 @@ enum class Choice { Robot, World, Step, Mode, Seed, Runs, Duration };
 
 struct ExperimentSettings {
   std::string robots_dir = "robots";
+  std::string motions_dir = "motions";
   std::string robot = "nao_h21_v33";
   std::string world;  // a file; empty: a flat ground
   Duration step = std::chrono::milliseconds(2);
@@ -59,6 +60,9 @@ Experiment robotsExperiment();
 Experiment sonarExperiment();
 Experiment walkExperiment();
 Experiment turnExperiment();
+Experiment kickExperiment();
+Experiment taichiExperiment();
+Experiment singlestepExperiment();
 
 /// What all experiments with a robot start from. @throws InputError.
 std::shared_ptr<const RobotModel> loadRobot(const ExperimentSettings& settings);

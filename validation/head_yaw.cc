@@ -9,6 +9,7 @@
 #include "core/check.h"
 #include "runtime/simulation.h"
 #include "validation/experiment.h"
+#include "validation/motion_trial.h"
 
 namespace nao::validation {
 namespace {
@@ -36,17 +37,6 @@ struct Trial {
   std::uint64_t hash = 0;
   std::map<std::string, double> draw;
 };
-
-// The hinge's own angle, on the link's side, whatever the encoders say.
-double trueAngle(const SceneFrame::Robot& robot, Joint joint) {
-  const int c = robot.model->actuators[index(joint)].coordinates.front();
-  const Body& body = robot.model->bodies[static_cast<std::size_t>(c) + 1];
-  const Mat3 R_PB = robot.X_WB[static_cast<std::size_t>(body.parent)].linear().transpose() *
-                    robot.X_WB[static_cast<std::size_t>(c) + 1].linear();
-  const Mat3 R = body.X_PB.linear().transpose() * R_PB;
-  const Vec3 turn(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
-  return std::atan2(turn.dot(body.axis), R.trace() - 1);
-}
 
 Joint headYaw(const RobotModel& model) {
   const auto joint = model.findJoint("HeadYaw");
@@ -126,7 +116,7 @@ class Watched {
     const JointCommand command = simulation_.robot(0).ports()->state.get()->command;
     trial.commands.push_back(command);
     trial.command.add(t, command.angle[joint_]);
-    trial.truth.add(t, trueAngle(simulation_.world().scene().robots[0], joint_));
+    trial.truth.add(t, calcHingeAngle(simulation_.world().scene().robots[0], joint_));
   }
 
   void poll(double t, Trial& trial) {

@@ -26,15 +26,16 @@ Json toValue(const Statistics& s) {
           {"max", toValue(s.max)},
           {"n", s.n}};
 }
+Json toValue(const Row& row) {
+  Json object = Json::object();
+  for (const auto& [name, cell] : row) {
+    object[name] = std::visit([](const auto& value) { return toValue(value); }, cell);
+  }
+  return object;
+}
 Json toValue(const std::vector<Row>& rows) {
   Json list = Json::array();
-  for (const Row& row : rows) {
-    Json object = Json::object();
-    for (const auto& [name, cell] : row) {
-      object[name] = std::visit([](const auto& value) { return toValue(value); }, cell);
-    }
-    list.push_back(std::move(object));
-  }
+  for (const Row& row : rows) list.push_back(toValue(row));
   return list;
 }
 

@@ -24,10 +24,11 @@ Statistics calcStatistics(const std::vector<double>& values);
 using Cell = std::variant<double, std::string, std::vector<double>>;
 using Row = std::vector<std::pair<std::string, Cell>>;
 
-/// A measured figure; its name ends in its unit. A plain number, statistics, or a table of rows.
+/// A measured figure; its name ends in its unit. A plain number, statistics, numbers by name (of a
+/// joint, say), or a table of rows.
 struct Figure {
   std::string name;
-  std::variant<double, Statistics, std::vector<Row>> value;
+  std::variant<double, Statistics, Row, std::vector<Row>> value;
 };
 
 /// A table for a person: every cell is text already.

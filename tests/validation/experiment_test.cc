@@ -22,6 +22,7 @@ const Experiment& find(const std::string& name) {
 ExperimentSettings settingsOf(const Experiment& experiment) {
   ExperimentSettings settings = experiment.defaults;
   settings.robots_dir = NAO_SOURCE_DIR "/robots";
+  settings.motions_dir = NAO_SOURCE_DIR "/motions";
   return settings;
 }
 
@@ -165,6 +166,46 @@ TEST(Experiments, NameARobotThatDoesNotExist) {
     settings.robot = "nao_h99";
     EXPECT_THROW(experiment.run(settings), InputError) << experiment.name;
   }
+}
+
+TEST(KickExperiment, NobodyFallsAndTheAnkleEndsAtItsTable) {
+  const Experiment& experiment = find("kick");
+  ExperimentSettings settings = settingsOf(experiment);
+  settings.runs = 3;
+  const Report report = experiment.run(settings).report;
+  EXPECT_EQ(number(report, "falls"), 0);
+  // The bar: told 10 degrees at a pitch of -60, within 0.2 of the published table.
+  EXPECT_NEAR(number(report, "ankle_pitch_at_limit_deg"), -60, 0.2);
+  EXPECT_NEAR(number(report, "ankle_roll_at_limit_deg"), 5.9, 0.2);
+  EXPECT_NEAR(number(report, "ankle_roll_at_lower_limit_deg"), -6.5, 0.2);
+  // With commands that nobody clips, the limb meets the stop where its own pitch is.
+  EXPECT_NEAR(number(report, "ankle_roll_at_stop_deg"),
+              number(report, "ankle_roll_stop_table_max_deg"), 0.2);
+}
+
+TEST(KickExperiment, RunsAreEqualWithoutASeedAndDifferWithOne) {
+  const Experiment& experiment = find("kick");
+  ExperimentSettings settings = settingsOf(experiment);
+  settings.runs = 2;
+  const auto spreadOf = [&](std::uint64_t seed) {
+    settings.seed = seed;
+    for (const Figure& figure : experiment.run(settings).report.figures) {
+      if (figure.name != "sd_deg") continue;
+      for (const auto& [joint, sd] : std::get<Row>(figure.value)) {
+        if (joint == "RKneePitch") return std::get<double>(sd);
+      }
+    }
+    return -1.0;
+  };
+  EXPECT_EQ(spreadOf(0), 0);
+  EXPECT_GT(spreadOf(1), 0);
+}
+
+TEST(TaichiExperiment, StaysOnOneLegAndThenOnTheOther) {
+  const Experiment& experiment = find("taichi");
+  ExperimentSettings settings = settingsOf(experiment);
+  settings.runs = 1;
+  EXPECT_EQ(number(experiment.run(settings).report, "falls"), 0);
 }
 
 }  // namespace
