@@ -19,10 +19,10 @@ constexpr Duration kWakingUp = 4000ms;  // from Crouch to StandInit
 constexpr double kFallenHeight = 0.2;         // [m]
 constexpr double kFallenTilt = 45 * kDegree;  // [rad]
 
-class Trial {
+class MotionRun {
  public:
-  Trial(const ExperimentSettings& settings, const std::shared_ptr<const RobotModel>& model,
-        std::uint64_t seed)
+  MotionRun(const ExperimentSettings& settings, const std::shared_ptr<const RobotModel>& model,
+            std::uint64_t seed)
       : simulation_(loadWorld(settings), {{"nao", model, {}}}, optionsOf(settings, seed)),
         model_(*model) {}
 
@@ -112,7 +112,7 @@ double calcHingeAngle(const SceneFrame::Robot& robot, Joint joint) {
 MotionRecord runMotion(const ExperimentSettings& settings,
                        const std::shared_ptr<const RobotModel>& model, std::uint64_t seed,
                        const motion::MotionAction& action, double seconds) {
-  return Trial(settings, model, seed).run(action, seconds);
+  return MotionRun(settings, model, seed).run(action, seconds);
 }
 
 motion::MotionAction playing(const motion::Timeline& timeline) {

@@ -7,6 +7,7 @@
 #include "motion/timeline/motion_file.h"
 #include "motion/trajectory.h"
 #include "validation/motion_trial.h"
+#include "validation/trial.h"
 
 namespace nao::validation {
 namespace {
@@ -62,8 +63,7 @@ class Repetition {
         tracking_(model_->jointCount()) {
     const auto spread = withSpread(*model_, {});
     for (int i = 0; i < settings.runs; ++i) {
-      const std::uint64_t seed = settings.seed == 0 ? 0 : settings.seed + static_cast<unsigned>(i);
-      add(runMotion(settings, spread, seed, subject_.action, subject_.seconds));
+      add(runMotion(settings, spread, seedOf(settings, i), subject_.action, subject_.seconds));
     }
   }
 
