@@ -80,6 +80,7 @@ void PlannedStep::archive(Archive& archive) {
   archive.value(height);
   archive.numbers(zmp_from);
   archive.numbers(zmp_to);
+  archive.numbers(moved);
 }
 
 Pose2 robotPlace(const FeetPlaces& feet) {
@@ -236,6 +237,16 @@ bool FootstepPlan::append() {
   }
   steps_.push_back(step);
   return true;
+}
+
+void FootstepPlan::moveLanding(const Vector2d& by) {
+  if (steps_.empty()) return;
+  PlannedStep& step = steps_.front();
+  step.to.x += by.x();
+  step.to.y += by.y();
+  step.moved += by;
+  steps_.erase(steps_.begin() + 1, steps_.end());
+  complete_ = false;
 }
 
 void FootstepPlan::advance(std::int64_t now, std::int64_t horizon) {

@@ -48,6 +48,7 @@ struct PlannedStep {
   int shift = 0;                     // [ticks] end of the double support in which the weight moves
   double height = 0;                 // [m] of the swing
   Eigen::Vector2d zmp_from, zmp_to;  // [m] moves over during the shift, then rests
+  Eigen::Vector2d moved = Eigen::Vector2d::Zero();  // [m] part of `to` that answers a push
   std::int64_t lift() const { return start + double_support; }
   std::int64_t end() const { return lift() + single_support; }
 
@@ -55,7 +56,8 @@ struct PlannedStep {
 };
 
 /// The steps from now on and the zero moment point they ask for, on a clock of ticks of one
-/// control cycle each. The step under way never changes; later ones follow the newest goal. After
+/// control cycle each. The step under way changes only to
+/// catch a push; later ones follow the newest goal. After
 /// the last step the point moves between the feet and stays there.
 class FootstepPlan {
  public:
@@ -69,6 +71,9 @@ class FootstepPlan {
 
   /// Plans these steps: after those already ordered, or in their place (`clear`).
   void order(const std::vector<motion::StepOrder>& steps, bool clear, std::int64_t now);
+
+  /// Moves the landing under way by `by` [m]; all later steps follow from there.
+  void moveLanding(const Eigen::Vector2d& by);
 
   /// Ends steps that are over at `now` and plans as far as `horizon`.
   void advance(std::int64_t now, std::int64_t horizon);

@@ -62,6 +62,11 @@ double clipTurn(Pose2 step, Foot swing) {
   return clear;
 }
 
+// The limits of ALMotion's MaxStepX, MinStepX and MaxStepY (NAOqi 1.14 and 2.1, control-walk).
+constexpr double kLongestStep = 0.08;  // [m]
+constexpr double kWidestStep = 0.16;   // [m]
+constexpr double kParallel = 0.1;      // [rad] free: feet turned less than that count as parallel
+
 double clipFraction(double fraction) { return std::clamp(fraction, -1.0, 1.0); }
 
 // The motion that, kept up in the moving frame, ends at `target` after a time of 1.
@@ -115,6 +120,19 @@ Pose2 calcStep(const StepFractions& fractions, Foot swing, const GaitConfig& con
                    clipFraction(fractions.y) * (config.max_step_y - kFootSeparation);
   const double theta = clipFraction(fractions.theta) * config.max_step_theta;
   return clipStep({fx * reach_x, y, theta}, swing, config);
+}
+
+StepRoom calcStepRoom(const Pose2& step, Foot swing) {
+  const double side = sideOf(swing);
+  // Turned feet come nearer to each other than their middles tell.
+  const double inward = std::abs(step.theta) > kParallel ? 0 : kMinFootSeparation - side * step.y;
+  const double outward = kWidestStep - side * step.y;
+  StepRoom room;
+  room.low = {-kLongestStep - step.x, side > 0 ? inward : -outward};
+  room.high = {kLongestStep - step.x, side > 0 ? outward : -inward};
+  room.low = room.low.cwiseMin(0);
+  room.high = room.high.cwiseMax(0);
+  return room;
 }
 
 Pose2 calcPairReach(const StepFractions& signs, const GaitConfig& config) {

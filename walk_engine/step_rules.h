@@ -45,6 +45,14 @@ Pose2 clipStep(const Pose2& step, Foot swing, const motion::GaitConfig& config);
 /// Whether the boxes ALMotion draws round the feet overlap.
 bool feetCollide(const Pose2& step, Foot swing);
 
+/// How far along the supporting sole's x and y [m] a swinging sole at `step` may still be moved to
+/// catch a fall: as far as the largest gait parameters ALMotion takes, and clear of the other foot.
+struct StepRoom {
+  Eigen::Vector2d low = Eigen::Vector2d::Zero();
+  Eigen::Vector2d high = Eigen::Vector2d::Zero();
+};
+StepRoom calcStepRoom(const Pose2& step, Foot swing);
+
 /// How far R gets in a pair of steps at full fractions of these signs.
 Pose2 calcPairReach(const StepFractions& signs, const motion::GaitConfig& config);
 

@@ -20,10 +20,14 @@ namespace {
 using motion::GaitConfig;
 using motion::Velocity2;
 
-constexpr double kMinRise = 0.1;     // [s] into the walking pose, at least
-constexpr double kRiseSpeed = 0.35;  // of a joint's top speed, on average at most
-constexpr double kOverlap = 0.4;     // [s] the rise may still take when the weight begins to move
-constexpr double kAtRest = 0.002;    // [m/s] of the centre of mass
+constexpr double kGravity = 9.80665;  // [m/s^2]
+constexpr double kCommitted = 0.8;    // of a swing: later its landing stays; free, 0.7-0.9
+constexpr double kCatchSpeed = 1.0;   // [m/s] at which a landing moves at most; free
+? atof(getenv("CS")) : 1.0;           // [m/s] at which a landing moves; free: twice a swing's
+constexpr double kMinRise = 0.1;      // [s] into the walking pose, at least
+constexpr double kRiseSpeed = 0.35;   // of a joint's top speed, on average at most
+constexpr double kOverlap = 0.4;      // [s] the rise may still take when the weight begins to move
+constexpr double kAtRest = 0.002;     // [m/s] of the centre of mass
 
 // Arms where they hang while standing, for the height of the centre of mass.
 JointArray<double> standingAngles(const RobotModel& model) {
@@ -71,7 +75,14 @@ class ZmpGait final : public motion::Gait {
   StanceDemand calcDemand() const;
   void pose(JointArray<double>& angle, bool resting);
   Eigen::Vector2d calcSwingAcceleration(std::int64_t tick) const;
+  ComPlanner::Reaction reaction() const {
+    return [this](std::int64_t tick) {
+      return Eigen::Vector2d(tuning_.swing_reaction * calcSwingAcceleration(tick));
+    };
+  }
   void moveCom();
+  Eigen::Vector2d calcDeviation(const SensorFrame& measured) const;
+  void catchFall(const SensorFrame& measured);
   void limitSpeed(const JointArray<double>& last, JointArray<double>& angle) const;
   void swingArms(JointCommand& command);
   void balance(const SensorFrame& measured, JointArray<double>& angle);
@@ -214,6 +225,8 @@ void ZmpGait::walk(const SensorFrame& measured, JointCommand& command) {
     plan_.follow(goal_, tick_);
   }
   plan_.advance(tick_, tick_ + com_.horizon());
+  catchFall(measured);
+  plan_.advance(tick_, tick_ + com_.horizon());
   moveCom();
   const JointArray<double> last = command.angle;
   swingArms(command);
@@ -250,11 +263,37 @@ Eigen::Vector2d ZmpGait::calcSwingAcceleration(std::int64_t tick) const {
   return Eigen::Vector2d::Zero();
 }
 
-void ZmpGait::moveCom() {
-  com_.advance(plan_, tick_, [this](std::int64_t tick) {
-    return Eigen::Vector2d(tuning_.swing_reaction * calcSwingAcceleration(tick));
-  });
+// How far the capture point is from its plan [m], in O: the body turns about its sole as a pendulum
+// of the height of the centre of mass. What every step sways is left out.
+Eigen::Vector2d ZmpGait::calcDeviation(const SensorFrame& measured) const {
+  const StanceDemand demand = calcDemand();
+  const Eigen::Vector2d tilt(measured.angle_y - demand.pitch, demand.roll - measured.angle_x);
+  const Eigen::Vector2d rate(measured.gyroscope.y(), -measured.gyroscope.x());
+  const Eigen::Vector2d away = com_height_ * (tilt + rate * std::sqrt(com_height_ / kGravity));
+  const double size = away.norm();
+  if (size <= tuning_.usual_sway) return Eigen::Vector2d::Zero();
+  const double heading = rpyOf(stance_.torso().linear()).z();
+  return Eigen::Rotation2Dd(heading) * away * (1 - tuning_.usual_sway / size);
 }
+
+// A body that falls is caught where the swinging foot lands.
+void ZmpGait::catchFall(const SensorFrame& measured) {
+  const PlannedStep* step = plan_.current();
+  if (phase_ != Phase::Walking || !step || !standing()[index(otherFoot(step->swing))]) return;
+  const double progress = static_cast<double>(tick_ - step->lift()) / step->single_support;
+  if (progress < 0 || progress > kCommitted) return;
+  const Eigen::Vector2d deviation = tuning_.step_gain * calcDeviation(measured);
+  if (deviation.isZero() && step->moved.isZero()) return;
+  const Pose2& support = plan_.feet()[index(otherFoot(step->swing))];
+  const StepRoom room = calcStepRoom(relativeTo(support, step->to), step->swing);
+  const Eigen::Vector2d forward(std::cos(support.theta), std::sin(support.theta));
+  const Eigen::Vector2d by = com_.calcLanding(
+      plan_, tick_, deviation, {step->moved, forward, room.low, room.high}, reaction());
+  const double most = kCatchSpeed * dt_;
+  plan_.moveLanding(by.norm() > most ? Eigen::Vector2d(by * most / by.norm()) : by);
+}
+
+void ZmpGait::moveCom() { com_.advance(plan_, tick_, reaction()); }
 
 StanceDemand ZmpGait::calcDemand() const {
   StanceDemand demand;

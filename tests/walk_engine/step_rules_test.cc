@@ -93,5 +93,17 @@ TEST(StepRules, TurnAVelocityIntoStepsOfThatVelocity) {
   EXPECT_NEAR(pair / (2 * calcStepPeriod(config)), 0.05, kRounding);
 }
 
+TEST(StepRoom, ReachesAsFarAsTheLargestStepsAndNoNearerThanFeetMayCome) {
+  const StepRoom left = calcStepRoom({0.04, 0.1, 0}, Foot::Left);
+  EXPECT_NEAR(left.low.x(), -0.12, 1e-12);
+  EXPECT_NEAR(left.high.x(), 0.04, 1e-12);
+  EXPECT_NEAR(left.low.y(), -0.012, 1e-12);
+  EXPECT_NEAR(left.high.y(), 0.06, 1e-12);
+  const StepRoom right = calcStepRoom({0, -0.1, 0}, Foot::Right);
+  EXPECT_NEAR(right.low.y(), -0.06, 1e-12);
+  EXPECT_NEAR(right.high.y(), 0.012, 1e-12);
+  EXPECT_EQ(calcStepRoom({0, 0.1, 0.3}, Foot::Left).low.y(), 0);
+}
+
 }  // namespace
 }  // namespace nao::walk
