@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace nao::walk {
 namespace {
@@ -135,24 +136,42 @@ StepRoom calcStepRoom(const Pose2& step, Foot swing) {
   return room;
 }
 
-Pose2 calcPairReach(const StepFractions& signs, const GaitConfig& config) {
-  const auto full = [](double value) { return value < 0 ? -1.0 : 1.0; };
-  Pose2 reach;
-  for (const Foot foot : {Foot::Left, Foot::Right}) {
-    reach.x += std::abs(calcStep({full(signs.x), 0, 0}, foot, config).x);
-    reach.y += calcStep({0, full(signs.y), 0}, foot, config).y;
-    reach.theta += std::abs(calcStep({0, 0, full(signs.theta)}, foot, config).theta);
-  }
-  reach.y = std::abs(reach.y);
-  return reach;
+// How far R gets in a pair of steps.
+Pose2 calcPair(const StepFractions& fractions, const GaitConfig& config) {
+  const Pose2 left = calcStep(fractions, Foot::Left, config);
+  const Pose2 right = calcStep(fractions, Foot::Right, config);
+  return {left.x + right.x, left.y + right.y, left.theta + right.theta};
 }
 
+Pose2 calcPairReach(const StepFractions& signs, const GaitConfig& config) {
+  const auto full = [](double value) { return value < 0 ? -1.0 : 1.0; };
+  return {std::abs(calcPair({full(signs.x), 0, 0}, config).x),
+          std::abs(calcPair({0, full(signs.y), 0}, config).y),
+          std::abs(calcPair({0, 0, full(signs.theta)}, config).theta)};
+}
+
+// Short steps are not clipped, long ones are: the fraction has to be looked for.
 StepFractions fractionsFor(const motion::Velocity2& velocity, const GaitConfig& config) {
-  const Pose2 reach = calcPairReach({velocity.x, velocity.y, velocity.theta}, config);
   const double pair = 2 * calcStepPeriod(config);
-  return {clipFraction(ratio(velocity.x * pair, reach.x)),
-          clipFraction(ratio(velocity.y * pair, reach.y)),
-          clipFraction(ratio(velocity.theta * pair, reach.theta))};
+  const auto find = [&](double wanted, const std::function<double(double)>& gained) {
+    double low = 0, high = 1;
+    if (gained(high) <= wanted) return high;
+    for (int i = 0; i < 40; ++i) {
+      const double middle = 0.5 * (low + high);
+      (gained(middle) < wanted ? low : high) = middle;
+    }
+    return high;
+  };
+  const auto alone = [&](double wanted, StepFractions one, double Pose2::*part) {
+    if (wanted == 0) return 0.0;
+    const double sign = wanted < 0 ? -1 : 1;
+    return sign * find(std::abs(wanted) * pair, [&](double f) {
+             const double g = sign * f;
+             return std::abs(calcPair({g * one.x, g * one.y, g * one.theta}, config).*part);
+           });
+  };
+  return {alone(velocity.x, {1, 0, 0}, &Pose2::x), alone(velocity.y, {0, 1, 0}, &Pose2::y),
+          alone(velocity.theta, {0, 0, 1}, &Pose2::theta)};
 }
 
 StepFractions fractionsTowards(const Pose2& target, const GaitConfig& config) {

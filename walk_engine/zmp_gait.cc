@@ -23,7 +23,6 @@ using motion::Velocity2;
 constexpr double kGravity = 9.80665;  // [m/s^2]
 constexpr double kCommitted = 0.8;    // of a swing: later its landing stays; free, 0.7-0.9
 constexpr double kCatchSpeed = 1.0;   // [m/s] at which a landing moves at most; free
-? atof(getenv("CS")) : 1.0;           // [m/s] at which a landing moves; free: twice a swing's
 constexpr double kMinRise = 0.1;      // [s] into the walking pose, at least
 constexpr double kRiseSpeed = 0.35;   // of a joint's top speed, on average at most
 constexpr double kOverlap = 0.4;      // [s] the rise may still take when the weight begins to move

@@ -93,6 +93,24 @@ TEST(StepRules, TurnAVelocityIntoStepsOfThatVelocity) {
   EXPECT_NEAR(pair / (2 * calcStepPeriod(config)), 0.05, kRounding);
 }
 
+// ALMotion.move asks for a velocity: what the steps can give they give, whatever of a full step
+// would be clipped.
+TEST(FractionsFor, GiveTheVelocityAskedFor) {
+  const GaitConfig config;
+  const double pair = 2 * calcStepPeriod(config);
+  for (const motion::Velocity2& asked :
+       {motion::Velocity2{0.05, 0, 0}, motion::Velocity2{-0.09, 0, 0},
+        motion::Velocity2{0, 0.03, 0}, motion::Velocity2{0, -0.06, 0},
+        motion::Velocity2{0, 0, 0.133}, motion::Velocity2{0, 0, -0.7}}) {
+    const StepFractions fractions = fractionsFor(asked, config);
+    const Pose2 left = calcStep(fractions, Foot::Left, config);
+    const Pose2 right = calcStep(fractions, Foot::Right, config);
+    EXPECT_NEAR((left.x + right.x) / pair, asked.x, 1e-6);
+    EXPECT_NEAR((left.y + right.y) / pair, asked.y, 1e-6);
+    EXPECT_NEAR((left.theta + right.theta) / pair, asked.theta, 1e-6);
+  }
+}
+
 TEST(StepRoom, ReachesAsFarAsTheLargestStepsAndNoNearerThanFeetMayCome) {
   const StepRoom left = calcStepRoom({0.04, 0.1, 0}, Foot::Left);
   EXPECT_NEAR(left.low.x(), -0.12, 1e-12);
