@@ -76,6 +76,16 @@ void addChoices(CLI::App& command, const std::shared_ptr<Arguments>& arguments) 
         ->check(CLI::Range(0.01, 1e6))
         ->capture_default_str();
   }
+  if (experiment.heeds(Choice::Metres)) {
+    command.add_option("--metres", settings.metres, "Also walk straight on for so long [m].")
+        ->check(CLI::Range(0.0, 1e6))
+        ->capture_default_str();
+  }
+  if (experiment.heeds(Choice::Newton)) {
+    command
+        .add_option("--newton", settings.newton, "Push this hard [N]. Default: find out how hard.")
+        ->check(CLI::Range(0.1, 1000.0));
+  }
 }
 
 }  // namespace

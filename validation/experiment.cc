@@ -12,7 +12,9 @@ const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> all{
       gravityExperiment(), timestepExperiment(), standExperiment(),      thrashExperiment(),
       kickExperiment(),    taichiExperiment(),   singlestepExperiment(), walkExperiment(),
-      turnExperiment(),    headYawExperiment(),  robotsExperiment(),     sonarExperiment()};
+      turnExperiment(),    circleExperiment(),   fastWalkExperiment(),   randomWalkExperiment(),
+      pushExperiment(),    slopeExperiment(),    moveToExperiment(),     headYawExperiment(),
+      robotsExperiment(),  sonarExperiment()};
   return all;
 }
 

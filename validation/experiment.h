@@ -16,7 +16,7 @@
 namespace nao::validation {
 
 /// What the user can choose for an experiment. Each heeds those that it lists.
-enum class Choice { Robot, World, Step, Mode, Seed, Runs, Duration };
+enum class Choice { Robot, World, Step, Mode, Seed, Runs, Duration, Metres, Newton };
 
 struct ExperimentSettings {
   std::string robots_dir = "robots";
@@ -28,6 +28,8 @@ struct ExperimentSettings {
   std::uint64_t seed = 0;  // 0: none
   int runs = 1;
   Duration duration{};
+  double metres = 0;  // to walk in all; 0: none
+  double newton = 0;  // of a push; 0: the experiment looks for the strongest one
 };
 
 struct Outcome {
@@ -63,6 +65,12 @@ Experiment turnExperiment();
 Experiment kickExperiment();
 Experiment taichiExperiment();
 Experiment singlestepExperiment();
+Experiment circleExperiment();
+Experiment fastWalkExperiment();
+Experiment randomWalkExperiment();
+Experiment pushExperiment();
+Experiment slopeExperiment();
+Experiment moveToExperiment();
 
 /// What all experiments with a robot start from. @throws InputError.
 std::shared_ptr<const RobotModel> loadRobot(const ExperimentSettings& settings);

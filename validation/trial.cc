@@ -184,6 +184,18 @@ void Trial::restore(const Snapshot& snapshot) {
   watch_ = snapshot.watch;
 }
 
+Experiment makeTrialExperiment(const char* name, const char* summary,
+                               Outcome (*run)(const ExperimentSettings&)) {
+  Experiment e;
+  e.name = name;
+  e.summary = summary;
+  e.choices = {Choice::Robot, Choice::World, Choice::Step, Choice::Seed, Choice::Runs};
+  e.defaults.seed = 1;
+  e.defaults.runs = 10;
+  e.run = run;
+  return e;
+}
+
 std::uint64_t seedOf(const ExperimentSettings& settings, int run) {
   return settings.seed == 0 ? 0 : settings.seed + static_cast<std::uint64_t>(run);
 }

@@ -95,6 +95,10 @@ class Trial {
   std::vector<TrialPoint> path_;
 };
 
+/// An experiment of seeded trials: ten runs from seed 1 on, of the documented robot.
+Experiment makeTrialExperiment(const char* name, const char* summary,
+                               Outcome (*run)(const ExperimentSettings&));
+
 /// The seed of run 0, 1, ... of an experiment: settings.seed and those after it; 0 stays 0.
 std::uint64_t seedOf(const ExperimentSettings& settings, int run);
 

@@ -162,27 +162,15 @@ Outcome runTurn(const ExperimentSettings& settings) {
   return outcome;
 }
 
-Experiment makeExperiment(const char* name, const char* summary,
-                          Outcome (*run)(const ExperimentSettings&)) {
-  Experiment e;
-  e.name = name;
-  e.summary = summary;
-  e.choices = {Choice::Robot, Choice::World, Choice::Step, Choice::Seed, Choice::Runs};
-  e.defaults.seed = 1;
-  e.defaults.runs = 10;
-  e.run = run;
-  return e;
-}
-
 }  // namespace
 
 Experiment walkExperiment() {
-  return makeExperiment("walk", "Twelve steps straight on at full speed (thesis figure 23).",
-                        runWalk);
+  return makeTrialExperiment("walk", "Twelve steps straight on at full speed (thesis figure 23).",
+                             runWalk);
 }
 
 Experiment turnExperiment() {
-  return makeExperiment("turn", "Twelve steps on the spot at full rate, both ways.", runTurn);
+  return makeTrialExperiment("turn", "Twelve steps on the spot at full rate, both ways.", runTurn);
 }
 
 }  // namespace nao::validation

@@ -64,5 +64,76 @@ TEST(WalkExperiment, IsTheSameForTheSameSeed) {
   EXPECT_NE(first.hash, experiment.run(settings).report.hash);
 }
 
+const std::vector<Row>& rows(const Report& report) {
+  for (const Figure& figure : report.figures) {
+    if (figure.name == "rows") return std::get<std::vector<Row>>(figure.value);
+  }
+  throw std::runtime_error("no rows");
+}
+
+TEST(CircleExperiment, ComesRoundAndFitsTheRadiusItWalked) {
+  const Report report = reportOf("circle");
+  EXPECT_EQ(figure(report, "closed"), 1);
+  EXPECT_LT(figure(report, "closure_error_m"), 0.20);  // the bar
+  // Without chance the robot walks as odometry says, give or take the bar on odometry.
+  const double odometry = figure(report, "odometry_radius_m");
+  EXPECT_NEAR(figure(report, "radius_m"), odometry, 0.05 * odometry);
+}
+
+TEST(MoveToExperiment, ArrivesByOdometry) {
+  const Experiment& experiment = find("moveto");
+  ExperimentSettings settings = onceWithoutChance(experiment);
+  settings.runs = 3;
+  const Report report = experiment.run(settings).report;
+  EXPECT_EQ(figure(report, "targets"), 3);
+  EXPECT_EQ(figure(report, "falls"), 0);
+  EXPECT_LE(figure(report, "arrival_error_m"), 0.01);      // the bar
+  EXPECT_LE(figure(report, "arrival_error_deg"), 1);       // the bar
+  EXPECT_LE(figure(report, "odometry_error_percent"), 5);  // the bar
+}
+
+TEST(PushExperiment, SeesThatNearlyTheWeightFellsTheRobotInEveryPhase) {
+  const Experiment& experiment = find("push");
+  ExperimentSettings settings = onceWithoutChance(experiment);
+  settings.newton = 40;
+  const Report report = experiment.run(settings).report;
+  for (const char* side : {"front", "back", "left", "right"}) {
+    EXPECT_EQ(figure(report, std::string("falls_") + side), 2 * 16) << side;
+  }
+}
+
+TEST(RandomWalkExperiment, WalksTheMetresAskedFor) {
+  const Experiment& experiment = find("randomwalk");
+  ExperimentSettings settings = onceWithoutChance(experiment);
+  settings.duration = std::chrono::seconds(2);
+  settings.metres = 2;
+  const Report report = experiment.run(settings).report;
+  EXPECT_EQ(figure(report, "sequences"), 1);
+  EXPECT_GE(figure(report, "straight_on_m"), 2);
+  EXPECT_EQ(figure(report, "straight_on_falls"), 0);
+}
+
+TEST(FastWalkExperiment, MeasuresEveryWayAlongIt) {
+  const Experiment& experiment = find("fastwalk");
+  ExperimentSettings settings = onceWithoutChance(experiment);
+  settings.duration = std::chrono::seconds(4);
+  const Report report = experiment.run(settings).report;
+  for (const Row& row : rows(report)) {
+    const auto& way = std::get<std::string>(row[0].second);
+    const double speed = std::get<double>(row[1].second);
+    EXPECT_GT(speed, 0.05) << way;  // sideways 0.06 m/s, the others are faster
+    EXPECT_NEAR(speed, std::get<double>(row[3].second), 0.15 * speed) << way;  // odometry
+  }
+}
+
+TEST(SlopeExperiment, HasARowForEverySlopeFrictionAndMass) {
+  const Experiment& experiment = find("slope");
+  ExperimentSettings settings = onceWithoutChance(experiment);
+  settings.duration = std::chrono::seconds(1);
+  const Report report = experiment.run(settings).report;
+  EXPECT_EQ(rows(report).size(), 13u + 12 + 9 + 2);
+  EXPECT_GE(figure(report, "max_slope_deg"), 3);  // the bar, though on a short walk
+}
+
 }  // namespace
 }  // namespace nao::validation
