@@ -1,14 +1,20 @@
 #include "validation/play.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
+#include <fstream>
 #include <memory>
 
 #include "app/commands.h"
 #include "app/modes.h"
 #include "app/source_paths.h"
+#include "core/check.h"
 #include "motion/timeline/motion_file.h"
+#include "validation/film.h"
+#include "validation/play_page.h"
 #include "validation/play_report.h"
+#include "validation/png.h"
 
 namespace nao::app {
 namespace {
@@ -22,9 +28,45 @@ struct Arguments {
   double step = 0.002;  // [s]
   std::string mode = "implicit";
   validation::PlaySettings settings;
+  std::string video;
+  std::string page;
   bool json = false;
   bool strict = false;
 };
+
+// The pictures of a motion that the user asked for, taken while it plays.
+class Pictures {
+ public:
+  Pictures(const Arguments& arguments, double length)
+      : every_(arguments.page.empty() ? 0 : std::max(length / (kStills - 1), 0.1)) {
+    if (arguments.video.empty()) return;
+    film_ = std::make_unique<validation::Film>(arguments.video, findEncoder());
+  }
+
+  void look(const sim::World& world, double time) {
+    const bool still_due = every_ > 0 && stills_.size() < kStills &&
+                           time >= every_ * static_cast<double>(stills_.size());
+    if (film_ && film_->isDue(time)) film_->add(world.scene());
+    if (still_due) stills_.push_back({time, validation::encodePng(camera_.picture(world.scene()))});
+  }
+  void close() {
+    if (film_) film_->close();
+  }
+  const std::vector<validation::Still>& stills() const { return stills_; }
+
+ private:
+  static constexpr std::size_t kStills = 9;  // free choice: three rows of a page
+
+  double every_;  // [s] 0: no stills
+  std::unique_ptr<validation::Film> film_;
+  validation::OutsideCamera camera_{{300, 225}};
+  std::vector<validation::Still> stills_;
+};
+
+void writePage(const std::string& file, const std::string& page) {
+  std::ofstream out(file);
+  if (!(out << page)) throw InputError("--report " + file + ": the file can not be written");
+}
 
 motion::Timeline load(const Arguments& arguments) {
   const std::string file = findMotionFile(arguments.file, arguments.robot);
@@ -41,8 +83,14 @@ void run(Arguments& arguments) {
   settings.step = fromSeconds(arguments.step);
   settings.mode = parseMode(arguments.mode);
   const motion::Timeline timeline = load(arguments);
-  const validation::Played played = validation::play(timeline, settings);
+  Pictures pictures(arguments, timeline.length);
+  const auto watch = [&](const sim::World& world, double time) { pictures.look(world, time); };
+  const validation::Played played = validation::play(timeline, settings, watch);
+  pictures.close();
   const validation::Report report = reportPlay(arguments.file, timeline, settings, played);
+  if (!arguments.page.empty()) {
+    writePage(arguments.page, playPage(*settings.model, report, played, pictures.stills()));
+  }
   std::printf("%s", (arguments.json ? toJson(report) + "\n" : toText(report)).c_str());
   if (arguments.strict && !played.faults.empty()) throw CLI::RuntimeError(1);
 }
@@ -77,6 +125,11 @@ void addPlay(CLI::App& app) {
   command
       ->add_option("--seed", arguments->settings.seed, "Start of all random numbers; 0: no chance.")
       ->capture_default_str();
+  command->add_option("--video", arguments->video,
+                      "Also films it from outside, 25 pictures a second: FILE.mp4, or a folder\n"
+                      "for PNG files.");
+  command->add_option("--report", arguments->page,
+                      "Also writes one HTML page: faults, pictures, how each joint followed.");
   command->add_flag("--strict", arguments->strict, "Ends with exit code 1 if there is any fault.");
   command->add_flag("--json", arguments->json, "One JSON object instead of tables.");
   command->callback([arguments] { run(*arguments); });

@@ -32,6 +32,12 @@ std::string findSourceFile(const std::string& path) {
   return fs::exists(shipped) ? shipped.string() : path;
 }
 
+std::string findEncoder() {
+  std::error_code unknown;
+  const fs::path self = fs::read_symlink("/proc/self/exe", unknown);
+  return (self.parent_path() / "usarnaoqi-encode").string();
+}
+
 std::vector<std::string> shippedMotions() {
   std::vector<std::string> folders;
   for (const char* folder : {"examples/motions", "motions"}) {

@@ -9,6 +9,9 @@ namespace nao::app {
 /// from, so that the shipped robots and worlds are found from any folder.
 std::string findSourceFile(const std::string& path);
 
+/// The program that writes films, beside this one.
+std::string findEncoder();
+
 /// The folders of motions shipped for every robot.
 std::vector<std::string> shippedMotions();
 

@@ -218,4 +218,14 @@ void draw(const Picture& picture, const std::string& file) {
   }
 }
 
+std::string drawSvg(const Picture& picture) {
+  const ScratchFolder scratch;
+  const fs::path file = scratch.path() / "picture.svg";
+  draw(picture, file.string());
+  std::ifstream in(file);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::size_t begin = text.find("<svg");  // a page has a head of its own
+  return begin == std::string::npos ? std::string() : text.substr(begin);
+}
+
 }  // namespace nao::validation

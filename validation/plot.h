@@ -54,4 +54,7 @@ void requirePlot(const std::string& file);
 /// Draws with gnuplot. @throws InputError as requirePlot().
 void draw(const Picture& picture, const std::string& file);
 
+/// The same as the text of an SVG, to stand in a page.
+std::string drawSvg(const Picture& picture);
+
 }  // namespace nao::validation

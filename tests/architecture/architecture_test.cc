@@ -33,9 +33,9 @@ const std::map<std::string, std::set<std::string>> kOnlyHere = {
     {"msgpack", {"naoqi_api"}},   {"boost/asio", {"daemon"}},
     {"boost/beast", {"daemon"}},  {"yaml-cpp", {"core"}},
     {"urdf_", {"core"}},          {"tinyxml.h", {"core"}},
-    {"tinyxml2", {"motion"}},     {"zlib.h", {"motion"}},
+    {"tinyxml2", {"motion"}},     {"zlib.h", {"motion", "validation"}},
     {"nlohmann", {"validation"}}, {"spdlog", {"daemon", "app"}},
-    {"opencv2", {"camera"}},      {"CLI/", {"app"}}};
+    {"opencv2", {}},      {"CLI/", {"app"}}};
 
 struct Include {
   std::string folder;
