@@ -23,7 +23,8 @@ def figures(folder):
     """The names of these figures are fixed; all times are processor time."""
     runs = medians(folder)
     return {**step_figures(runs), **robot_figures(runs), **snapshot_figures(runs),
-            **memory_figures(pathlib.Path(folder) / "robots.txt"), **render_figures(runs)}
+            **memory_figures(pathlib.Path(folder) / "robots.txt"), **render_figures(runs),
+            **walk_figures(runs)}
 
 
 def step_figures(runs):
@@ -62,6 +63,13 @@ def robot_figures(runs):
     with_motion = runs["walkingWithMotion/robots:22"]
     found["realtime_factor_22_robots_with_motion"] = with_motion["realtime_factor"]
     return found
+
+
+def walk_figures(runs):
+    """The quadratic programs of a walk, thread time, best of three each; and a tick of 20 ms."""
+    return {"qp_solve_mean_us": runs["solving"]["mean_us"],
+            "qp_solve_max_us": runs["solving"]["max_us"],
+            "motion_tick_mean_us": runs["motionTick"]["cpu_time"] * 1e-3}
 
 
 def memory_figures(experiment):

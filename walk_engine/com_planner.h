@@ -31,6 +31,7 @@ class ComPlanner {
   void advance(const FootstepPlan& plan, std::int64_t now, const Reaction& reaction);
   int horizon() const { return horizon_; }  // [ticks]
 
+  const QpProblem& problem() const { return qp_.problem(); }  // of the last motion tick
   const ComState& com() const { return com_; }
   Eigen::Vector2d position() const { return {com_.x[0], com_.y[0]}; }  // [m]
   Eigen::Vector2d velocity() const { return {com_.x[1], com_.y[1]}; }  // [m/s]

@@ -81,6 +81,8 @@ class ZmpQp {
   /// Of the pendulum [1/s]: its capture point runs away from the zero moment point as e^(rate t).
   double rate() const { return 1 / decay_; }
 
+  const QpProblem& problem() const { return problem_; }  // solved last
+
   /// Lists what the next solve() remembers of the last.
   void archive(Archive& archive) { solver_.archive(archive); }
 
