@@ -7,10 +7,12 @@
 #include "motion/fall_detector.h"
 #include "motion/limits.h"
 #include "motion/phases.h"
+#include "motion/pose_follower.h"
 #include "motion/postures.h"
 #include "motion/schedule.h"
 #include "motion/setpoints.h"
 #include "motion/walking.h"
+#include "motion/whole_body.h"
 
 namespace nao::motion {
 
@@ -44,6 +46,15 @@ class MotionEngine::Impl {
   void take(RequestId id, const SetMoveArms& request);
   void take(RequestId id, const Kill& request);
   void take(RequestId id, const KillAll& request);
+  void take(RequestId id, const InterpolatePoses& request);
+  void take(RequestId id, const SetPoses& request);
+  void take(RequestId id, const WalkSteps& request) { walk(id, request); }
+  void take(RequestId id, const WbGoToBalance& request);
+  template <class WholeBodyRequest>
+  void take(RequestId id, const WholeBodyRequest& request) {
+    whole_body_.take(request, body_.angle);
+    done(id);
+  }
 
   void walk(RequestId id, const WalkOrder& order);
   void addWholeBody(RequestId id, const char* name, std::unique_ptr<Phase> phase);
@@ -59,7 +70,9 @@ class MotionEngine::Impl {
   Body body_;
   Schedule schedule_;
   Setpoints setpoints_;
+  PoseGoals pose_goals_;
   Walking walking_;
+  WholeBody whole_body_;
   FallDetector fall_;
   SimTime time_{};
   RequestId last_accepted_;
@@ -74,6 +87,7 @@ MotionEngine::Impl::Impl(std::shared_ptr<const RobotModel> model, std::unique_pt
       body_(*model_),
       setpoints_(model_->jointCount()),
       walking_(*model_, std::move(gait)),
+      whole_body_(model_),
       last_accepted_(last_accepted) {
   if (const Posture* start = model_->findPosture(model_->start_posture)) {
     body_.angle = start->angle;
@@ -93,6 +107,7 @@ void MotionEngine::Impl::take(RequestId id, const SetAngles& request) {
     if (walking_.ordered() && legs_.test(index(joint))) continue;  // the steps have the legs
     const double base = request.relative ? body_.angle[joint] : 0;
     schedule_.release(joint);
+    pose_goals_.release(JointSet().set(index(joint)));
     setpoints_.set(joint, std::clamp(base + request.angles[i], actuator.lower, actuator.upper),
                    request.fraction[i] * actuator.max_velocity);
   }
@@ -115,6 +130,29 @@ void MotionEngine::Impl::take(RequestId id, const InterpolateWithSpeed& request)
   }
   schedule_.add(
       {id, "angleInterpolationWithSpeed", course.joints, std::make_unique<Glide>(course)});
+}
+
+void MotionEngine::Impl::take(RequestId id, const InterpolatePoses& request) {
+  PoseFollower follower(model_, request.tracks, request.relative);
+  const JointSet joints = follower.joints();
+  schedule_.add(
+      {id, "positionInterpolation", joints, std::make_unique<FollowPoses>(std::move(follower))});
+}
+
+void MotionEngine::Impl::take(RequestId id, const SetPoses& request) {
+  PoseFollower follower(model_, request.tracks, request.relative);
+  done(id);
+  if (walking_.ordered() && (legs_ & follower.joints()).any()) return;  // the steps have the legs
+  follower.begin(body_.angle, walking_.gait() ? walking_.gait()->position() : Pose2{});
+  for (std::size_t i = 0; i < model_->jointCount(); ++i) {
+    if (follower.joints().test(i)) schedule_.release(toJoint(i));
+  }
+  setpoints_.clear(follower.joints());
+  pose_goals_.add(std::move(follower), request.fraction);
+}
+
+void MotionEngine::Impl::take(RequestId id, const WbGoToBalance& request) {
+  schedule_.add({id, "wbGoToBalance", legs_, std::make_unique<GoToBalance>(model_, request)});
 }
 
 void MotionEngine::Impl::take(RequestId id, const SetStiffness& request) {
@@ -178,6 +216,7 @@ void MotionEngine::Impl::take(RequestId id, const KillAll& /*request*/) {
   walking_.stop(0);
   schedule_.killAll();
   setpoints_.clear(allJoints(*model_));
+  pose_goals_.release(allJoints(*model_));
   for (const RequestId run : body_.stiffness.killAll()) report(run, MotionOutcome::Kind::Killed);
   collectOutcomes();
   done(id);
@@ -186,6 +225,7 @@ void MotionEngine::Impl::take(RequestId id, const KillAll& /*request*/) {
 void MotionEngine::Impl::walk(RequestId id, const WalkOrder& order) {
   if (!walking_.order(id, order)) return;
   setpoints_.clear(legs_);
+  pose_goals_.release(legs_);
   if (!schedule_.add({id, "move", legs_, walking_.phase(), false})) {
     walking_.kill("too many motions wait for their joints");
   }
@@ -207,15 +247,22 @@ JointCommand MotionEngine::Impl::update(const SensorFrame& measured) {
   followSensors(limpJoints());
 
   // What was asked for: booked motions, setpoints, stiffness, and the walk over both.
+  const JointArray<double> before = body_.angle;
   body_.walking = &walking_;
+  body_.whole_body = walking_.ordered() ? nullptr : &whole_body_;
   schedule_.advance(dt_, body_);
   body_.walking = nullptr;
+  body_.whole_body = nullptr;
   setpoints_.clear(schedule_.booked());
+  pose_goals_.release(schedule_.booked());
   for (const RequestId id : body_.stiffness.advance(dt_)) done(id);
   const JointSet limp = limpJoints();
   setpoints_.clear(limp);
-  const JointSet held = schedule_.booked() | setpoints_.active();
+  pose_goals_.release(limp);
+  const JointSet held = schedule_.booked() | setpoints_.active() | pose_goals_.active();
   setpoints_.advance(dt_, body_.angle);
+  pose_goals_.advance(dt_, body_.angle);
+  if (!walking_.ordered()) whole_body_.apply(dt_, before, held, limp, body_.angle);
   walking_.update(dt_, held, body_);
 
   // What the body can do.
@@ -290,7 +337,9 @@ void MotionEngine::Impl::archive(Archive& archive) {
   archive.value(body_.awake);
   schedule_.archive(archive);
   setpoints_.archive(archive);
+  pose_goals_.archive(archive);
   walking_.archive(archive);
+  whole_body_.archive(archive);
   fall_.archive(archive);
   archive.value(time_);
 }

@@ -9,7 +9,9 @@
 
 #include "core/frames.h"
 #include "core/joint.h"
+#include "motion/cartesian.h"
 #include "motion/gait.h"
+#include "motion/whole_body_request.h"
 
 namespace nao::motion {
 
@@ -92,6 +94,12 @@ struct MoveToward {
   double x = 0, y = 0, theta = 0;  // fractions, -1 to 1
   GaitConfig config;
 };
+/// Steps one by one. (setFootSteps, setFootStepsWithSpeed)
+struct WalkSteps {
+  std::vector<StepOrder> steps;
+  bool clear = false;    // forget the steps ordered before that may still change
+  bool awaited = false;  // ends when the robot stands again, else at once
+};
 struct MoveInit {};  // to the pose from which walking starts
 struct StopMove {};
 struct KillMove {};
@@ -112,7 +120,8 @@ struct KillAll {};
 using MotionAction =
     std::variant<SetAngles, Interpolate, InterpolateWithSpeed, SetStiffness, InterpolateStiffness,
                  WakeUp, Rest, GoToPosture, MoveTo, Move, MoveToward, MoveInit, StopMove, KillMove,
-                 SetMoveArms, Kill, KillAll>;
+                 SetMoveArms, Kill, KillAll, InterpolatePoses, SetPoses, WalkSteps, WbEnable,
+                 WbFootState, WbBalance, WbGoToBalance, WbEffector, WbEffectorTarget, WbOptimize>;
 
 /// Everything a client can ask of the motion engine, checked for names, shapes and ranges before
 /// it is posted.

@@ -12,6 +12,7 @@
 namespace nao::motion {
 
 class Walking;
+class WholeBody;
 
 /// What a phase works on: the robot as commanded and as measured in this cycle.
 struct Body {
@@ -21,7 +22,8 @@ struct Body {
   SensorFrame measured;
   bool upright = true;  // neither falling nor fallen
   bool awake = false;
-  Walking* walking = nullptr;  // of the same robot; during a cycle only
+  Walking* walking = nullptr;       // of the same robot; during a cycle only
+  WholeBody* whole_body = nullptr;  // likewise; null while it walks
 
   explicit Body(const RobotModel& robot)
       : model(robot), angle(robot.jointCount()), stiffness(robot.jointCount()) {}

@@ -65,7 +65,8 @@ Walking::Walking(const RobotModel& model, std::unique_ptr<Gait> gait)
       right_arm_(jointsOfGroup(model, "RArm")) {}
 
 bool Walking::order(RequestId id, const WalkOrder& order) {
-  const bool awaited = std::holds_alternative<MoveTo>(order);
+  const auto* const steps = std::get_if<WalkSteps>(&order);
+  const bool awaited = std::holds_alternative<MoveTo>(order) || (steps && steps->awaited);
   if (!awaited) outcomes_.push_back({id, MotionOutcome::Kind::Done, {}});
   if (isStand(order)) {
     stop(0);
@@ -90,7 +91,7 @@ std::unique_ptr<Phase> Walking::phase() { return std::make_unique<LegsPhase>(); 
 bool Walking::isStand(const WalkOrder& order) const {
   return std::visit(
       Overloaded{
-          [](const MoveTo&) { return false; },
+          [](const MoveTo&) { return false; }, [](const WalkSteps& w) { return w.steps.empty(); },
           [](const Move& move) {
             return move.velocity.x == 0 && move.velocity.y == 0 && move.velocity.theta == 0;
           },
@@ -119,6 +120,7 @@ void Walking::start(const Body& body) {
 
 void Walking::handToGait() {
   std::visit(Overloaded{[this](const MoveTo& to) { gait_->walkTo(to.target, to.config); },
+                        [this](const WalkSteps& to) { gait_->walkSteps(to.steps, to.clear); },
                         [this](const Move& move) { gait_->walkAt(move.velocity, move.config); },
                         [this](const MoveToward& move) {
                           gait_->walkToward(move.x, move.y, move.theta, move.config);
@@ -198,6 +200,14 @@ void Walking::archiveOrder(Archive& archive) {
                           double time = to.time.value_or(0);
                           archive.value(time);
                           archiveConfig(archive, to.config);
+                        },
+                        [&](WalkSteps& walk) {
+                          archive.each(walk.steps, [&archive](StepOrder& step) {
+                            archive.value(step.foot);
+                            archive.value(step.place);
+                            archive.value(step.period);
+                          });
+                          archive.value(walk.clear);
                         },
                         [&](Move& move) {
                           archive.value(move.velocity);

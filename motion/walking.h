@@ -15,7 +15,7 @@
 namespace nao::motion {
 
 /// Where a walk is to lead.
-using WalkOrder = std::variant<MoveTo, Move, MoveToward>;
+using WalkOrder = std::variant<MoveTo, Move, MoveToward, WalkSteps>;
 
 /// Brings walk requests to the gait. A new order replaces the one under way, from the end of the
 /// steps that can no longer change. The steps begin when the schedule has given the legs free
