@@ -80,6 +80,7 @@ std::shared_ptr<const RobotModel> loadRobotModel(const std::string& robots_dir,
   checkBodies(urdf, *model);
   finishCollisions(urdf, *model);
   if (!files.postures.empty()) readPostures(files.postures, *model);
+  if (!files.ways.empty()) readWays(files.ways, *model);
   if (!files.cameras.empty()) readCameras(files.cameras, *model);
   return model;
 }

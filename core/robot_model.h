@@ -124,6 +124,25 @@ struct Posture {
   JointArray<double> angle;  // [rad]
 };
 
+/// One stop on a way: some joints get there together, the others stay as they are told.
+struct WayKey {
+  double time = 0;  // [s] after the stop before
+  std::vector<std::pair<Joint, double>> angles;  // [rad]
+  /// The torso's pitch [rad] at which the way goes on: 0 upright, + forward, +-pi upside down.
+  double pitch_low = -4;
+  double pitch_high = 4;
+  double patience = 0;  // [s] for which the robot holds still until it is so, before it gives up
+};
+
+/// A motion from being in one family of postures to being in another: up from the back, down to
+/// the seat.
+struct Way {
+  std::string name;
+  std::vector<std::string> from;  // families
+  std::string to;                 // family
+  std::vector<WayKey> keys;
+};
+
 /// An imperfection that a robot's file asks for. sim/effects/ knows the name and its law, and
 /// checks the numbers when a world is made.
 struct EffectSetting {
@@ -151,6 +170,7 @@ struct RobotModel {
   std::vector<ContactSphere> contact_spheres;
   std::vector<Posture> postures;
   std::string start_posture;
+  std::vector<Way> ways;  // between families of postures
 
   int imu_body = 0;
   Vec3 p_BoImu = Vec3::Zero();
@@ -180,8 +200,8 @@ struct RobotModel {
   const Posture* findPosture(std::string_view name) const;
 };
 
-/// Reads robots/<name>/ below `robots_dir`: model.urdf, body.yaml, postures.yaml, cameras.yaml;
-/// or, if `name` is a path that ends in .urdf, that file. A URDF alone is completed by defaults
+/// Reads robots/<name>/ below `robots_dir`: model.urdf, body.yaml, postures.yaml, ways.yaml,
+/// cameras.yaml; or, if `name` is a path that ends in .urdf, that file. A URDF alone is completed by defaults
 /// (core/robot_model_bare.cc), told in RobotModel::notes.
 /// @throws InputError naming file and line; for an unknown name it lists the known ones.
 std::shared_ptr<const RobotModel> loadRobotModel(const std::string& robots_dir,

@@ -78,6 +78,7 @@ RobotFiles findRobotFiles(const std::string& robots_dir, const std::string& name
     const fs::path folder = fs::path(robots_dir) / robot;
     take(folder, "model.urdf", files.urdf);
     take(folder, "postures.yaml", files.postures);
+    take(folder, "ways.yaml", files.ways);
     take(folder, "cameras.yaml", files.cameras);
     if (!fs::exists(folder / "body.yaml")) break;
     const ConfigNode body = parseConfigFile((folder / "body.yaml").string());

@@ -18,6 +18,7 @@ struct RobotFiles {
   std::string urdf;
   std::optional<ConfigNode> body;  // absent: a URDF alone
   std::string postures;            // empty: none
+  std::string ways;                // empty: none
   std::string cameras;             // empty: none
 };
 RobotFiles findRobotFiles(const std::string& robots_dir, const std::string& name);
@@ -57,6 +58,11 @@ std::vector<EffectSetting> readEffects(Config& body, const std::string& key,
 
 /// postures.yaml; every posture gives every actuator an angle within its range.
 void readPostures(const std::string& file, RobotModel& model);
+
+/// ways.yaml, one `{name, from: [families], to: family, keys: [...]}` per way; needs the postures. A
+/// key is `{time, pitch: [low, high], patience, angles: {joint: rad}}`. A joint named without its
+/// side means both of a Nao, the right one mirrored: rolls and yaws change their sign.
+void readWays(const std::string& file, RobotModel& model);
 
 /// cameras.yaml; each camera is a frame of the model as well.
 void readCameras(const std::string& file, RobotModel& model);

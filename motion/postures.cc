@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "motion/phases.h"
+#include "motion/posture_family.h"
+#include "motion/posture_graph.h"
 
 namespace nao::motion {
 namespace {
@@ -84,16 +86,21 @@ class WayToPosture final : public Phase {
 
 void WayToPosture::begin(Body& body) {
   const RobotModel& model = body.model;
-  std::vector<ValuePtr<Phase>> way;
-  // From its feet to the ground the robot first makes itself small.
-  const Posture* crouch = model.findPosture("Crouch");
-  const Posture* now = findCurrentPosture(model, body.measured);
-  if (crouch != nullptr && now != nullptr && isOnFeet(*now) && !isOnFeet(target_)) {
-    way.emplace_back(glideTo(model, *crouch, fraction_));
+  std::vector<ValuePtr<Phase>> phases;
+  const std::string family = bodyFamily(model, body.measured);
+  const auto route = findRoute(model, family, target_.family);
+  if (!model.ways.empty() && route) {
+    for (const Way* way : *route) phases.emplace_back(follow(*way));
+  } else if (const Posture* crouch = model.findPosture("Crouch")) {
+    // Without ways a robot on its feet makes itself small before it goes to the ground.
+    const Posture* now = findCurrentPosture(model, body.measured);
+    if (now != nullptr && isOnFeet(*now) && !isOnFeet(target_)) {
+      phases.emplace_back(glideTo(model, *crouch, fraction_));
+    }
   }
-  way.emplace_back(glideTo(model, target_, fraction_));
-  way.emplace_back(std::make_unique<CheckPosture>(target_));
-  way_ = std::make_unique<Sequence>(std::move(way));
+  phases.emplace_back(glideTo(model, target_, fraction_));
+  phases.emplace_back(std::make_unique<CheckPosture>(target_));
+  way_ = std::make_unique<Sequence>(std::move(phases));
   way_->begin(body);
 }
 
@@ -137,16 +144,7 @@ const Posture* findCurrentPosture(const RobotModel& model, const SensorFrame& me
 
 std::string currentFamily(const RobotModel& model, const SensorFrame& measured) {
   if (const Posture* posture = findCurrentPosture(model, measured)) return posture->family;
-  switch (torsoOf(measured)) {
-    case Torso::OnBack:
-      return "LyingBack";
-    case Torso::OnBelly:
-      return "LyingBelly";
-    case Torso::Upright:
-    case Torso::Tilted:
-      break;
-  }
-  return "Unknown";
+  return bodyFamily(model, measured);
 }
 
 std::unique_ptr<Phase> glideTo(const RobotModel& model, const Posture& posture, double fraction) {
