@@ -136,6 +136,14 @@ std::optional<std::vector<const Way*>> findRoute(const RobotModel& model, const 
   return found->second.ways;
 }
 
+const Way* findWayAround(const RobotModel& model, const std::string& family) {
+  const std::string place = placeOf(family);
+  for (const Way& way : model.ways) {
+    if (placeOf(way.to) == place && leadsFrom(way, place)) return &way;
+  }
+  return nullptr;
+}
+
 bool areOnePlace(const std::string& a, const std::string& b) { return placeOf(a) == placeOf(b); }
 
 std::unique_ptr<Phase> follow(const Way& way) { return std::make_unique<FollowWay>(way); }

@@ -18,6 +18,10 @@ namespace nao::motion {
 std::optional<std::vector<const Way*>> findRoute(const RobotModel& model, const std::string& from,
                                                  const std::string& to);
 
+/// A way from a family to itself, or null: how a robot makes room for the last glide, as one on
+/// its belly does for its arms.
+const Way* findWayAround(const RobotModel& model, const std::string& family);
+
 /// Whether two families are one place of the graph.
 bool areOnePlace(const std::string& a, const std::string& b);
 

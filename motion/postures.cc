@@ -91,6 +91,9 @@ void WayToPosture::begin(Body& body) {
   const auto route = findRoute(model, family, target_.family);
   if (!model.ways.empty() && route) {
     for (const Way* way : *route) phases.emplace_back(follow(*way));
+    const Way* around = findWayAround(model, target_.family);
+    const bool is_there = isIn(model, body.measured, target_);
+    if (around != nullptr && !is_there) phases.emplace_back(follow(*around));
   } else if (const Posture* crouch = model.findPosture("Crouch")) {
     // Without ways a robot on its feet makes itself small before it goes to the ground.
     const Posture* now = findCurrentPosture(model, body.measured);

@@ -27,7 +27,7 @@ class BrokenRobot {
   /// Replaces the first `old_text` after `anchor` in `file`; remembers the line.
   BrokenRobot(const std::string& file, const std::string& anchor, const std::string& old_text,
               const std::string& new_text) {
-    for (const char* part : {"model.urdf", "body.yaml", "postures.yaml", "cameras.yaml"}) {
+    for (const char* part : {"model.urdf", "body.yaml", "postures.yaml", "ways.yaml", "cameras.yaml"}) {
       std::string text = read(std::string(NAO_SOURCE_DIR "/robots/nao_h21_v33/") + part);
       if (file == part) text = replaced(text, anchor, old_text, new_text);
       folder_.write(std::string("broken/") + part, text);
@@ -213,7 +213,7 @@ TEST(BrokenRobot, CameraComplaintsNameTheLine) {
 TEST(BrokenRobot, FilesCutOffAnywhereAreRefusedInASentence) {
   const std::string robot = NAO_SOURCE_DIR "/robots/nao_h21_v33/";
   const TemporaryFolder folder;
-  const std::vector<std::string> parts{"model.urdf", "body.yaml", "postures.yaml", "cameras.yaml"};
+  const std::vector<std::string> parts{"model.urdf", "body.yaml", "postures.yaml", "ways.yaml", "cameras.yaml"};
   for (const std::string& part : parts) folder.write("cut/" + part, read(robot + part));
   for (const std::string& part : parts) {
     const std::string whole = read(robot + part);
