@@ -2,12 +2,15 @@
 
 #include "naoqi_api/al_module.h"
 #include "naoqi_api/services/al_motion_angles.h"
+#include "naoqi_api/services/al_motion_cartesian.h"
+#include "naoqi_api/services/al_motion_footsteps.h"
 #include "naoqi_api/services/al_motion_geometry.h"
 #include "naoqi_api/services/al_motion_stiffness.h"
 #include "naoqi_api/services/al_motion_switches.h"
 #include "naoqi_api/services/al_motion_tasks.h"
 #include "naoqi_api/services/al_motion_tools.h"
 #include "naoqi_api/services/al_motion_walk.h"
+#include "naoqi_api/services/al_motion_whole_body.h"
 
 namespace nao::services {
 namespace {
@@ -31,6 +34,9 @@ std::shared_ptr<rpc::Service> makeAlMotion(RobotLink& link) {
   addPart<AlMotionStiffness>(*service, link);
   addPart<AlMotionAngles>(*service, link);
   addPart<AlMotionWalk>(*service, link);
+  addPart<AlMotionFootsteps>(*service, link);
+  addPart<AlMotionCartesian>(*service, link);
+  addPart<AlMotionWholeBody>(*service, link);
   addPart<AlMotionGeometry>(*service, link);
   addPart<AlMotionTools>(*service, link);
   addPart<AlMotionTasks>(*service, link);

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "naoqi_api/robot_link.h"
+#include "naoqi_api/service.h"
+
+namespace nao::services {
+
+/// The part of ALMotion that moves the whole body at once and keeps it in balance.
+class AlMotionWholeBody {
+ public:
+  explicit AlMotionWholeBody(RobotLink& link) : link_(link) {}
+  void declare(rpc::Service& service);
+
+ private:
+  void wbEnable(bool on);
+  void wbFootState(const std::string& state, const std::string& feet);
+  void wbEnableBalanceConstraint(bool on, const std::string& feet);
+  rpc::Pending<bool> wbGoToBalance(const std::string& feet, float seconds);
+  rpc::Pending<bool> wbGoToBalanceWithSpeed(const std::string& feet, float fraction);
+  void wbEnableEffectorControl(const std::string& chain, bool on);
+  void wbSetEffectorControl(const std::string& chain, const rpc::Value& target);
+  void wbEnableEffectorOptimization(const std::string& chain, bool on);
+
+  RobotLink& link_;
+};
+
+}  // namespace nao::services
