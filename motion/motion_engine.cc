@@ -5,6 +5,7 @@
 
 #include "core/check.h"
 #include "motion/fall_detector.h"
+#include "motion/idle.h"
 #include "motion/limits.h"
 #include "motion/phases.h"
 #include "motion/pose_follower.h"
@@ -44,6 +45,8 @@ class MotionEngine::Impl {
   void take(RequestId id, const StopMove& request);
   void take(RequestId id, const KillMove& request);
   void take(RequestId id, const SetMoveArms& request);
+  void take(RequestId id, const SetIdle& request);
+  void take(RequestId id, const SetBreath& request);
   void take(RequestId id, const Kill& request);
   void take(RequestId id, const KillAll& request);
   void take(RequestId id, const InterpolatePoses& request);
@@ -67,12 +70,14 @@ class MotionEngine::Impl {
   const std::shared_ptr<const RobotModel> model_;
   const double dt_;  // [s]
   const JointSet legs_;
+  const JointSet limbs_;
   Body body_;
   Schedule schedule_;
   Setpoints setpoints_;
   PoseGoals pose_goals_;
   Walking walking_;
   WholeBody whole_body_;
+  Idle idle_;
   FallDetector fall_;
   SimTime time_{};
   RequestId last_accepted_;
@@ -84,10 +89,12 @@ MotionEngine::Impl::Impl(std::shared_ptr<const RobotModel> model, std::unique_pt
     : model_(std::move(model)),
       dt_(toSeconds(model_->cycle)),
       legs_(jointsOfGroup(*model_, "LLeg") | jointsOfGroup(*model_, "RLeg")),
+      limbs_(legs_ | jointsOfGroup(*model_, "LArm") | jointsOfGroup(*model_, "RArm")),
       body_(*model_),
       setpoints_(model_->jointCount()),
       walking_(*model_, std::move(gait)),
       whole_body_(model_),
+      idle_(*model_),
       last_accepted_(last_accepted) {
   if (const Posture* start = model_->findPosture(model_->start_posture)) {
     body_.angle = start->angle;
@@ -203,6 +210,16 @@ void MotionEngine::Impl::take(RequestId id, const SetMoveArms& request) {
   done(id);
 }
 
+void MotionEngine::Impl::take(RequestId id, const SetIdle& request) {
+  idle_.set(request, body_);
+  done(id);
+}
+
+void MotionEngine::Impl::take(RequestId id, const SetBreath& request) {
+  idle_.configure(request);
+  done(id);
+}
+
 void MotionEngine::Impl::take(RequestId id, const Kill& request) {
   if (!walking_.stopRequest(request.id) && !schedule_.kill(request.id) &&
       body_.stiffness.kill(request.id)) {
@@ -264,6 +281,7 @@ JointCommand MotionEngine::Impl::update(const SensorFrame& measured) {
   pose_goals_.advance(dt_, body_.angle);
   if (!walking_.ordered()) whole_body_.apply(dt_, before, held, limp, body_.angle);
   walking_.update(dt_, held, body_);
+  idle_.update(dt_, held | limp | (walking_.active() ? limbs_ : JointSet{}), body_);
 
   // What the body can do.
   followSensors(limp);
@@ -340,6 +358,7 @@ void MotionEngine::Impl::archive(Archive& archive) {
   pose_goals_.archive(archive);
   walking_.archive(archive);
   whole_body_.archive(archive);
+  idle_.archive(archive);
   fall_.archive(archive);
   archive.value(time_);
 }

@@ -110,6 +110,19 @@ struct SetMoveArms {
   bool right = true;
 };
 
+/// What joints do while nobody commands them (setBreathEnabled, setIdlePostureEnabled): see Idle.
+struct SetIdle {
+  enum class Mode : std::uint8_t { Nothing, Posture, Breath };
+  std::vector<Joint> joints;
+  Mode mode = Mode::Nothing;
+};
+
+/// How those breathe that do (setBreathConfig); clipped to what NaoQi allows.
+struct SetBreath {
+  double beats_per_minute = 12;  // 5 to 30
+  double amplitude = 0.5;        // 0 to 1
+};
+
 /// Ends one request (kill, cancel) or all of them; joints keep their last command, a walk comes to
 /// a stand.
 struct Kill {
@@ -120,8 +133,9 @@ struct KillAll {};
 using MotionAction =
     std::variant<SetAngles, Interpolate, InterpolateWithSpeed, SetStiffness, InterpolateStiffness,
                  WakeUp, Rest, GoToPosture, MoveTo, Move, MoveToward, MoveInit, StopMove, KillMove,
-                 SetMoveArms, Kill, KillAll, InterpolatePoses, SetPoses, WalkSteps, WbEnable,
-                 WbFootState, WbBalance, WbGoToBalance, WbEffector, WbEffectorTarget, WbOptimize>;
+                 SetMoveArms, SetIdle, SetBreath, Kill, KillAll, InterpolatePoses, SetPoses,
+                 WalkSteps, WbEnable, WbFootState, WbBalance, WbGoToBalance, WbEffector,
+                 WbEffectorTarget, WbOptimize>;
 
 /// Everything a client can ask of the motion engine, checked for names, shapes and ranges before
 /// it is posted.

@@ -1,5 +1,6 @@
 #include "naoqi_api/services/al_motion_switches.h"
 
+#include "motion/idle.h"
 #include "naoqi_api/services/naoqi_method.h"
 
 namespace nao::services {
@@ -126,16 +127,25 @@ void AlMotionSwitches::declareIdle(rpc::Service& service) {
             Argument{"config", "[[name, value], ...]."})
       .at(267);
   addMethod(service, "setBreathEnabled", this, &Self::setBreathEnabled,
-            "Remembers whether a chain is to breathe.", chain, enable)
+            "Whether a chain breathes while nobody commands it and the robot stands.", chain,
+            enable)
       .at(277);
   addMethod(service, "getBreathEnabled", this, &Self::getBreathEnabled,
-            "Whether a chain is to breathe.", chain)
+            "Whether a chain breathes while nobody commands it.", chain)
       .at(278);
+  addMethod(service, "setBreathConfig", this, &Self::setBreathConfig,
+            "How to breathe; the amplitude is held to what the frequency allows.",
+            Argument{"pConfig", "[['Bpm', 5 to 30], ['Amplitude', 0 to 1]], either or both."})
+      .at(279);
+  addMethod(service, "getBreathConfig", this, &Self::getBreathConfig,
+            "[['Bpm', value], ['Amplitude', value]].")
+      .at(280);
   addMethod(service, "setIdlePostureEnabled", this, &Self::setIdlePostureEnabled,
-            "Remembers whether a chain is to return to a posture when idle.", chain, enable)
+            "Whether a chain returns to the pose it has now while nobody commands it.", chain,
+            enable)
       .at(281);
   addMethod(service, "getIdlePostureEnabled", this, &Self::getIdlePostureEnabled,
-            "Whether a chain is to return to a posture when idle.", chain)
+            "Whether a chain returns to a pose while nobody commands it.", chain)
       .at(282);
   addMethod(service, "setEnableNotifications", this, &Self::setEnableNotifications,
             "Remembers whether to notify.", Argument{"enable", kEnable.meaning})
@@ -201,8 +211,24 @@ bool AlMotionSwitches::getExternalCollisionProtectionEnabled(const std::string& 
   return ChainSwitch(link_.model()).get(external_collision_protection_, name, true);
 }
 
+void AlMotionSwitches::setIdle(const std::string& name, motion::SetIdle::Mode mode) {
+  motion::SetIdle request;
+  request.mode = mode;
+  for (const std::string& chain : ChainSwitch(link_.model()).chains(name)) {
+    for (const std::string& member : link_.model().groups.at(chain)) {
+      const auto joint = link_.model().findJoint(member);
+      if (joint) request.joints.push_back(*joint);
+    }
+  }
+  link_.post(request);
+}
+
+// A chain has one idle mode: who enables one of the two ends the other.
 void AlMotionSwitches::setBreathEnabled(const std::string& chain, bool enable) {
+  using Mode = motion::SetIdle::Mode;
+  setIdle(chain, enable ? Mode::Breath : Mode::Nothing);
   ChainSwitch(link_.model()).set(breath_, chain, enable);
+  ChainSwitch(link_.model()).set(idle_posture_, chain, false);
 }
 
 bool AlMotionSwitches::getBreathEnabled(const std::string& chain) {
@@ -210,11 +236,42 @@ bool AlMotionSwitches::getBreathEnabled(const std::string& chain) {
 }
 
 void AlMotionSwitches::setIdlePostureEnabled(const std::string& chain, bool enable) {
+  using Mode = motion::SetIdle::Mode;
+  setIdle(chain, enable ? Mode::Posture : Mode::Nothing);
   ChainSwitch(link_.model()).set(idle_posture_, chain, enable);
+  ChainSwitch(link_.model()).set(breath_, chain, false);
 }
 
 bool AlMotionSwitches::getIdlePostureEnabled(const std::string& chain) {
   return ChainSwitch(link_.model()).get(idle_posture_, chain, false);
+}
+
+void AlMotionSwitches::setBreathConfig(const rpc::Value& config) {
+  const char* const kExpected = "expected [['Bpm', 5 to 30], ['Amplitude', 0 to 1]]";
+  motion::SetBreath wanted = breath_config_;
+  const auto* pairs = config.findItems();
+  if (pairs == nullptr) throw rpc::CallError(kExpected);
+  for (const rpc::Value& pair : *pairs) {
+    const auto* items = pair.findItems();
+    if (items == nullptr || items->size() != 2) throw rpc::CallError(kExpected);
+    const std::string name = (*items)[0].to<std::string>();
+    const double value = (*items)[1].to<double>();
+    if (name == "Bpm" && value >= 5 && value <= 30) {
+      wanted.beats_per_minute = value;
+    } else if (name == "Amplitude" && value >= 0 && value <= 1) {
+      wanted.amplitude = value;
+    } else {
+      throw rpc::CallError(kExpected);
+    }
+  }
+  wanted = motion::clipToStable(wanted);
+  link_.post(wanted);
+  breath_config_ = wanted;
+}
+
+rpc::Value AlMotionSwitches::getBreathConfig() {
+  return rpc::Value::list({rpc::Value::list({"Bpm", breath_config_.beats_per_minute}),
+                           rpc::Value::list({"Amplitude", breath_config_.amplitude})});
 }
 
 void AlMotionSwitches::setMotionConfig(const rpc::Value& config) {

@@ -8,8 +8,9 @@
 
 namespace nao::services {
 
-/// The switches of ALMotion. Those of the arms' swing act; the others belong to reflexes that are
-/// not simulated: they are remembered and told again, so that programs that set and check them run.
+/// The switches of ALMotion. Those of the arms' swing, of breath and of idle postures act; the
+/// others belong to reflexes that are not simulated: they are remembered and told again, so that
+/// programs that set and check them run.
 class AlMotionSwitches {
  public:
   explicit AlMotionSwitches(RobotLink& link) : link_(link) {}
@@ -39,10 +40,13 @@ class AlMotionSwitches {
   void setTangentialSecurityDistance(float distance) { tangential_distance_ = distance; }
   float getTangentialSecurityDistance() { return tangential_distance_; }
 
+  void setIdle(const std::string& chain, motion::SetIdle::Mode mode);
   void setBreathEnabled(const std::string& chain, bool enable);
   bool getBreathEnabled(const std::string& chain);
   void setIdlePostureEnabled(const std::string& chain, bool enable);
   bool getIdlePostureEnabled(const std::string& chain);
+  void setBreathConfig(const rpc::Value& config);
+  rpc::Value getBreathConfig();
   void setMotionConfig(const rpc::Value& config);
   void setEnableNotifications(bool enable) { notifications_ = enable; }
   bool areNotificationsEnabled() { return notifications_; }
@@ -53,8 +57,9 @@ class AlMotionSwitches {
   std::map<std::string, bool> external_collision_protection_;  // by chain, Move or All; on at first
   std::map<std::string, bool> breath_;                         // by chain; off at first
   std::map<std::string, bool> idle_posture_;                   // by chain; off at first
-  float orthogonal_distance_ = 0.4F;                           // [m] NaoQi's default
-  float tangential_distance_ = 0.1F;                           // [m] NaoQi's default
+  motion::SetBreath breath_config_;
+  float orthogonal_distance_ = 0.4F;  // [m] NaoQi's default
+  float tangential_distance_ = 0.1F;  // [m] NaoQi's default
   bool notifications_ = true;
 };
 
