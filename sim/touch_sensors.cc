@@ -9,6 +9,8 @@ namespace {
 
 constexpr double kReach = 0.035;  // [m] a sensor's patch; free, about its drawn size
 constexpr double kForce = 1.0;    // [N] that switches it; estimate
+// Of a bumper, above the sole's edge, which is no part of it: the bumpers are 10 mm above the sole.
+constexpr double kUnderside = 0.007;  // [m]
 
 enum Group { Head, LeftHand, RightHand, LeftFoot, RightFoot, Chest };
 
@@ -68,7 +70,8 @@ bool TouchSensors::feels(const Sensor& sensor, const Surroundings& around) {
     const Vec3 f_B = body.R_WB.transpose() * force.f_W;
     const double push = sensor.bumper ? -f_B.x() : f_B.norm();
     if (push < kForce) continue;
-    if (sensor.bumper && push < std::abs(f_B.z())) continue;  // the floor's friction
+    if (sensor.bumper && push < std::abs(f_B.z())) continue;               // the floor's friction
+    if (sensor.bumper && p_B.z() < sensor.p_B.z() - kUnderside) continue;  // at a landing: jolts
     return true;
   }
   return false;
