@@ -15,7 +15,8 @@ struct Tuning {
                                   // on steps of 0.08 m with a turn are within reach
   double torso_pitch = 0.0;       // [rad] forward lean; free
   double zmp_x = 0.015;           // [m] target of the pressure ahead of the ankle; free, 0.01-0.02
-  double zmp_y = 0;               // [m] the same, towards the outer edge; free, +-0.01
+  double zmp_y = -0.005;          // [m] the same, towards the outer edge; free, -0.01 to -0.004:
+                                  // from 0 on some drawn joint zeros let the sway grow
   double swing_settle = 0.03;     // of the swing, straight down at its end; free, 0-0.2
   double swing_reaction = 0.004;  // [s^2] how far the swinging leg's acceleration drives the
                                   // pressure off, per m/s^2 of the sole: about leg mass times

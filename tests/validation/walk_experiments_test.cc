@@ -47,6 +47,19 @@ TEST(WalkExperiment, GoesTwelveStepsStraightOn) {
   EXPECT_EQ(figure(report, "falls"), 0);
 }
 
+// Joint zeros of these two once let the sway grow with every step.
+TEST(WalkExperiment, GoesStraightOnWithAnyJointZeros) {
+  const Experiment& experiment = find("walk");
+  for (const std::uint64_t seed : {7, 20}) {
+    ExperimentSettings settings = onceWithoutChance(experiment);
+    settings.seed = seed;
+    const Report report = experiment.run(settings).report;
+    EXPECT_NEAR(figure(report, "forward_distance_m"), 0.48, 0.05 * 0.48) << "seed " << seed;
+    EXPECT_LE(figure(report, "lateral_drift_m"), 0.03) << "seed " << seed;
+    EXPECT_LE(figure(report, "heading_error_deg"), 3) << "seed " << seed;
+  }
+}
+
 TEST(TurnExperiment, TurnsTwelveStepsBothWays) {
   const Report report = reportOf("turn");
   EXPECT_NEAR(figure(report, "turn_left_deg"), 210, 0.05 * 210);   // the bar
