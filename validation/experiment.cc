@@ -10,11 +10,11 @@ bool Experiment::heeds(Choice choice) const {
 
 const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> all{
-      gravityExperiment(), timestepExperiment(), standExperiment(),      thrashExperiment(),
-      kickExperiment(),    taichiExperiment(),   singlestepExperiment(), walkExperiment(),
-      turnExperiment(),    circleExperiment(),   fastWalkExperiment(),   randomWalkExperiment(),
-      pushExperiment(),    slopeExperiment(),    moveToExperiment(),     headYawExperiment(),
-      robotsExperiment(),  sonarExperiment()};
+      gravityExperiment(),  timestepExperiment(), standExperiment(),      thrashExperiment(),
+      kickExperiment(),     taichiExperiment(),   singlestepExperiment(), walkExperiment(),
+      turnExperiment(),     circleExperiment(),   fastWalkExperiment(),   randomWalkExperiment(),
+      pushExperiment(),     slopeExperiment(),    moveToExperiment(),     standUpExperiment(),
+      posturesExperiment(), headYawExperiment(),  robotsExperiment(),     sonarExperiment()};
   return all;
 }
 

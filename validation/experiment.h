@@ -71,6 +71,8 @@ Experiment randomWalkExperiment();
 Experiment pushExperiment();
 Experiment slopeExperiment();
 Experiment moveToExperiment();
+Experiment standUpExperiment();
+Experiment posturesExperiment();
 
 /// What all experiments with a robot start from. @throws InputError.
 std::shared_ptr<const RobotModel> loadRobot(const ExperimentSettings& settings);

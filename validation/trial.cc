@@ -68,10 +68,17 @@ struct Trial::Snapshot {
 };
 
 Trial::Trial(const ExperimentSettings& settings, std::uint64_t seed, const Conditions& conditions)
-    : model_(changeRobot(settings, conditions)),
-      ground_normal_(changeWorld(settings, conditions)->ground_normal),
-      simulation_(changeWorld(settings, conditions), {{"nao", model_, {}}},
-                  makeOptions(settings, seed)) {
+    : Trial(settings, seed, changeRobot(settings, conditions), changeWorld(settings, conditions)) {}
+
+Trial::Trial(const ExperimentSettings& settings, std::uint64_t seed,
+             std::shared_ptr<const RobotModel> model)
+    : Trial(settings, seed, std::move(model), loadWorld(settings)) {}
+
+Trial::Trial(const ExperimentSettings& settings, std::uint64_t seed,
+             std::shared_ptr<const RobotModel> model, std::shared_ptr<const WorldModel> world)
+    : model_(std::move(model)),
+      ground_normal_(world->ground_normal),
+      simulation_(std::move(world), {{"nao", model_, {}}}, makeOptions(settings, seed)) {
   start();
 }
 

@@ -34,6 +34,9 @@ class Trial {
  public:
   /// Crouched, motors off. @throws InputError as loadRobot() and loadWorld().
   Trial(const ExperimentSettings& settings, std::uint64_t seed, const Conditions& conditions = {});
+  /// With this robot in place of the settings' one, and the settings' ground.
+  Trial(const ExperimentSettings& settings, std::uint64_t seed,
+        std::shared_ptr<const RobotModel> model);
 
   /// Motors on, up into StandInit, a moment of rest; then start().
   void standUp();
@@ -79,6 +82,8 @@ class Trial {
     int landings = 0;
     std::optional<SimTime> lands;  // the foot in the air
   };
+  Trial(const ExperimentSettings& settings, std::uint64_t seed,
+        std::shared_ptr<const RobotModel> model, std::shared_ptr<const WorldModel> world);
   void cycle();
   void look();
   void countLandings(const motion::MotionState& state);
