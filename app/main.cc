@@ -4,7 +4,8 @@
 #include "app/commands.h"
 #include "core/check.h"
 
-// Exit codes: 0 done, 1 something failed on the way, 2 the user asked for something impossible.
+// Exit codes: 0 done, 1 something failed on the way, 2 the user asked for something impossible,
+// 3 a motion was played, but parts of its file could not be read.
 int main(int argc, char** argv) {
   CLI::App app("UsarNaoQi: a simulated Nao that speaks the Nao's own protocols.", "usarnaoqi");
   app.require_subcommand(1);
@@ -17,6 +18,8 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     return 0;
+  } catch (const CLI::RuntimeError& error) {
+    return error.get_exit_code();
   } catch (const CLI::ParseError& error) {
     const int code = app.exit(error);
     return code == 0 ? 0 : 2;

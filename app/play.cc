@@ -19,6 +19,8 @@
 namespace nao::app {
 namespace {
 
+constexpr int kBrokenFile = 3;  // exit code: not all of the motion could be read
+
 struct Arguments {
   std::string file;
   std::string box;
@@ -92,6 +94,7 @@ void run(Arguments& arguments) {
     writePage(arguments.page, playPage(*settings.model, report, played, pictures.stills()));
   }
   std::printf("%s", (arguments.json ? toJson(report) + "\n" : toText(report)).c_str());
+  if (!timeline.broken.empty()) throw CLI::RuntimeError(kBrokenFile);
   if (arguments.strict && !played.faults.empty()) throw CLI::RuntimeError(1);
 }
 

@@ -12,9 +12,9 @@ using motion::MotionFault;
 constexpr double kDegree = M_PI / 180;
 constexpr std::size_t kMostPoints = 400;  // of a curve: more than a picture has columns for it
 constexpr MotionFault::Kind kKinds[] = {
-    MotionFault::Kind::Key,      MotionFault::Kind::JointLimit, MotionFault::Kind::CoupledLimit,
-    MotionFault::Kind::Velocity, MotionFault::Kind::Torque,     MotionFault::Kind::Collision,
-    MotionFault::Kind::Fall};
+    MotionFault::Kind::File,         MotionFault::Kind::Key,      MotionFault::Kind::JointLimit,
+    MotionFault::Kind::CoupledLimit, MotionFault::Kind::Velocity, MotionFault::Kind::Torque,
+    MotionFault::Kind::Collision,    MotionFault::Kind::Fall};
 
 std::string jointName(const RobotModel& model, const MotionFault& fault) {
   return fault.joint ? model.actuators[index(*fault.joint)].name : std::string();
@@ -92,6 +92,10 @@ std::string summaryOf(const std::string& name, const Played& played) {
   if (played.fell) text += "; the robot fell";
   text += played.upright ? "; it is upright at the end" : "; it is not upright at the end";
   const auto count = played.faults.size();
+  if (std::any_of(played.faults.begin(), played.faults.end(),
+                  [](const MotionFault& f) { return f.kind == MotionFault::Kind::File; })) {
+    text += "; its file is broken and this is the rest of it";
+  }
   return text + "; " + (count == 0 ? "no" : std::to_string(count)) + " fault" +
          (count == 1 ? "." : "s.");
 }

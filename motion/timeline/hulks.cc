@@ -27,12 +27,12 @@ class Reader {
   Reader(const MotionText& text, const RobotModel& model)
       : text_(text), rows_(model, text.source) {}
 
-  Timeline read(const TextTree& tree) {
+  Timeline read(const std::string& content) {
+    std::vector<std::string> broken;
+    const TextTree tree = readTextTree(content, text_, broken);
+    for (const std::string& sentence : broken) rows_.addBroken(sentence);
     if (const TextTree* initial = tree.find("initial_positions")) readPose(*initial, 0);
-    for (const TextTree& part : member(tree, "motion").items) {
-      warnOfConditions(part);
-      for (const TextTree& frame : member(part, "keyframes").items) readFrame(frame);
-    }
+    rows_.attempt([&] { readParts(member(tree, "motion")); });
     return rows_.take();
   }
 
@@ -41,6 +41,15 @@ class Reader {
     const TextTree* found = tree.find(name);
     if (found == nullptr) text_.fail(tree.line, std::string("expected a member ") + name);
     return *found;
+  }
+
+  void readParts(const TextTree& parts) {
+    for (const TextTree& part : parts.items) {
+      warnOfConditions(part);
+      for (const TextTree& frame : member(part, "keyframes").items) {
+        rows_.attempt([&] { readFrame(frame); });
+      }
+    }
   }
 
   void warnOfConditions(const TextTree& part) {
@@ -55,8 +64,9 @@ class Reader {
     const TextTree& word = member(frame, "duration");
     const double duration = text_.number(word.word, word.line, "the duration");
     if (duration <= 0) text_.fail(word.line, "the duration must be positive");
+    const TextTree& positions = member(frame, "positions");
     time_ += duration;
-    readPose(member(frame, "positions"), time_);
+    readPose(positions, time_);
     rows_.lastUntil(time_);
   }
 
@@ -68,7 +78,9 @@ class Reader {
         if (column == columns_.end()) {
           column = columns_.emplace(name, rows_.addColumn(name, value.line)).first;
         }
-        rows_.put(column->second, time, text_.number(value.word, value.line, "a position"));
+        rows_.attempt([&, number = &value] {
+          rows_.put(column->second, time, text_.number(number->word, number->line, "a position"));
+        });
       }
     }
   }
@@ -83,7 +95,7 @@ class Reader {
 
 Timeline readHulks(const std::string& content, const std::string& source, const RobotModel& model) {
   const MotionText text(content, source);
-  return Reader(text, model).read(readTextTree(content, text));
+  return Reader(text, model).read(content);
 }
 
 }  // namespace nao::motion

@@ -42,41 +42,46 @@ PoseRows::Course courseOf(const TextTree& frame, PoseRows& rows) {
 
 void readFrame(const MotionText& text, const TextTree& frame, double time, PoseRows& rows) {
   const PoseRows::Course course = courseOf(frame, rows);
-  std::size_t column = 0;
+  std::vector<double> angles;
   for (const Part& part : kParts) {
-    const TextTree& angles = memberOf(text, frame, part.name);
-    if (angles.items.size() != part.joints) {
-      text.fail(angles.line, std::string(part.name) + " must have " + std::to_string(part.joints) +
-                                 " values, not " + std::to_string(angles.items.size()));
+    const TextTree& list = memberOf(text, frame, part.name);
+    if (list.items.size() != part.joints) {
+      text.fail(list.line, std::string(part.name) + " must have " + std::to_string(part.joints) +
+                               " values, not " + std::to_string(list.items.size()));
     }
-    for (const TextTree& item : angles.items) {
-      const double angle = angleOf(text, item);
-      if (angle == kKeep) {
-        rows.hold(column++, time);
-      } else {
-        rows.put(column++, time, angle, course);
-      }
-    }
+    for (const TextTree& item : list.items) angles.push_back(angleOf(text, item));
   }
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    angles[i] == kKeep ? rows.hold(i, time) : rows.put(i, time, angles[i], course);
+  }
+}
+
+double durationOf(const MotionText& text, const TextTree& frame) {
+  const TextTree& word = memberOf(text, frame, "duration");
+  const double duration = text.number(word.word, word.line, "the duration");
+  if (duration <= 0) text.fail(word.line, "the duration must be positive");
+  return duration / 1000;
 }
 
 }  // namespace
 
 Timeline readKfm(const std::string& content, const std::string& source, const RobotModel& model) {
   const MotionText text(content, source);
-  const TextTree tree = readTextTree(content, text);
+  PoseRows rows(model, source);
+  std::vector<std::string> broken;
+  const TextTree tree = readTextTree(content, text, broken);
+  for (const std::string& sentence : broken) rows.addBroken(sentence);
   const TextTree* frames = tree.find("keyFrames");
   if (frames == nullptr) text.fail(1, "expected keyFrames = [...]");
-  PoseRows rows(model, source);
   for (const char* joint : kHeadArmsLegs) rows.addColumn(joint, 1);
   double time = 0;
   for (const TextTree& frame : frames->items) {
-    const TextTree& word = memberOf(text, frame, "duration");
-    const double duration = text.number(word.word, word.line, "the duration");
-    if (duration <= 0) text.fail(word.line, "the duration must be positive");
-    time += duration / 1000;
-    readFrame(text, frame, time, rows);
-    rows.lastUntil(time);
+    rows.attempt([&] {
+      const double end = time + durationOf(text, frame);
+      readFrame(text, frame, end, rows);
+      rows.lastUntil(end);
+      time = end;
+    });
   }
   return rows.take();
 }

@@ -13,6 +13,23 @@ constexpr const char* kJoints[] = {"HeadYaw",      "HeadPitch",  "LShoulderPitch
                                    "RAnklePitch",  "RAnkleRoll", "RShoulderPitch", "RShoulderRoll",
                                    "RElbowYaw",    "RElbowRoll"};
 
+// Reads one row that begins at `begin` [s] and puts it. @returns when it ends.
+double readRow(const MotionText& text, const TextLine& line, double begin, PoseRows& rows) {
+  const auto cells = splitAt(line.text, '%');
+  if (cells[0] != "play") text.fail(line.number, "expected play%<angles>%<duration>");
+  if (cells.size() != rows.columns() + 2) {
+    text.fail(line.number, "expected 22 angles and a duration, not " +
+                               std::to_string(cells.size() - 1) + " values");
+  }
+  const double duration = text.number(cells.back(), line.number, "the duration");
+  if (duration <= 0) text.fail(line.number, "the duration must be positive");
+  for (std::size_t i = 0; i < rows.columns(); ++i) {
+    rows.attempt(
+        [&] { rows.put(i, begin + duration, text.number(cells[i + 1], line.number, "an angle")); });
+  }
+  return begin + duration;
+}
+
 }  // namespace
 
 Timeline readKme(const std::string& content, const std::string& source, const RobotModel& model) {
@@ -23,19 +40,7 @@ Timeline readKme(const std::string& content, const std::string& source, const Ro
   for (const TextLine& line : text.lines) {
     const auto cells = splitAt(line.text, '%');
     if (cells.empty() || (cells.size() == 1 && cells[0].empty())) continue;
-    if (cells[0] != "play") text.fail(line.number, "expected play%<angles>%<duration>");
-    if (cells.size() != rows.columns() + 2) {
-      rows.warn(line.number, "expected 22 angles and a duration, not " +
-                                 std::to_string(cells.size() - 1) +
-                                 " values; this row is left out");
-      continue;
-    }
-    const double duration = text.number(cells.back(), line.number, "the duration");
-    if (duration <= 0) text.fail(line.number, "the duration must be positive");
-    time += duration;
-    for (std::size_t i = 0; i < rows.columns(); ++i) {
-      rows.put(i, time, text.number(cells[i + 1], line.number, "an angle"));
-    }
+    rows.attempt([&] { time = readRow(text, line, time, rows); });
   }
   return rows.take();
 }

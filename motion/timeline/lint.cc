@@ -89,6 +89,7 @@ std::string sentenceOf(const MotionFault& fault) {
   const double degrees = fault.value / kDegree;
   const double allowed = fault.limit / kDegree;
   switch (fault.kind) {
+    case MotionFault::Kind::File:
     case MotionFault::Kind::Key:
       return fault.text;
     case MotionFault::Kind::JointLimit:
@@ -114,6 +115,8 @@ std::string sentenceOf(const MotionFault& fault) {
 
 const char* nameOf(MotionFault::Kind kind) {
   switch (kind) {
+    case MotionFault::Kind::File:
+      return "file";
     case MotionFault::Kind::Key:
       return "key";
     case MotionFault::Kind::JointLimit:
@@ -160,6 +163,9 @@ std::vector<MotionFault> lint(const Timeline& timeline, const RobotModel& model,
     before = angle;
   }
   std::vector<MotionFault> faults = checker.take();
+  for (const std::string& sentence : timeline.broken) {
+    faults.push_back({MotionFault::Kind::File, {}, 0, 0, 0, 0, 0, sentence});
+  }
   for (const KeyFault& key : timeline.key_faults) {
     faults.push_back(
         {MotionFault::Kind::Key, key.joint, key.time, key.time, 0, 0, 0, key.sentence});

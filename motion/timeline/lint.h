@@ -12,7 +12,7 @@ namespace nao::motion {
 /// Something a motion should not do, at one joint for some time. What needs no physics is found by
 /// lint(), the rest by playing it.
 struct MotionFault {
-  enum class Kind { Key, JointLimit, CoupledLimit, Velocity, Torque, Collision, Fall };
+  enum class Kind { File, Key, JointLimit, CoupledLimit, Velocity, Torque, Collision, Fall };
   Kind kind = Kind::Key;
   std::optional<Joint> joint;  // none: the whole robot
   double time = 0;             // [s] of the timeline, when it begins
@@ -49,9 +49,10 @@ class FaultLog {
   std::vector<MotionFault> faults_;
 };
 
-/// What a motion asks of a robot that the robot can not give, as far as its model tells: keys that
-/// could not be played as written, angles beyond joint and coupled limits, speeds beyond a joint's.
-/// `start`: [rad] the pose from which it is played. Not yet described.
+/// What is broken in its file, and what a motion asks of a robot that the robot can not give, as
+/// far as its model tells: keys that could not be played as written, angles beyond joint and
+/// coupled limits, speeds beyond a joint's. `start`: [rad] the pose from which it is played. Not
+/// yet described.
 std::vector<MotionFault> lint(const Timeline& timeline, const RobotModel& model,
                               const JointArray<double>& start);
 

@@ -39,6 +39,29 @@ bool readWord(const MotionText& text, const std::vector<std::string>& words, int
   return false;
 }
 
+// Reads one row that begins at `begin` [s] and puts it. @returns when it ends.
+double readRow(const MotionText& text, const std::vector<std::string>& words, int line,
+               double begin, PoseRows& rows) {
+  const double duration = text.number(words.back(), line, "Dur");
+  const double interpolate = text.number(words[words.size() - 2], line, "Int");
+  if (duration <= 0) text.fail(line, "Dur must be positive");
+  const double end = begin + duration / 1000;
+  const auto readAngle = [&](std::size_t i) {
+    const double value = text.number(words[i], line, "an angle");
+    const double target = rows.isHand(i) ? value : value * kDegree;
+    interpolate != 0 ? rows.put(i, end, target) : rows.jump(i, begin, end, target);
+  };
+  for (std::size_t i = 0; i < rows.columns(); ++i) {
+    if (words[i] == "-" || words[i] == "*") {
+      rows.hold(i, end);
+    } else {
+      rows.attempt([&] { readAngle(i); });
+    }
+  }
+  rows.lastUntil(end);
+  return end;
+}
+
 }  // namespace
 
 Timeline readMof(const std::string& content, const std::string& source, const RobotModel& model) {
@@ -49,26 +72,11 @@ Timeline readMof(const std::string& content, const std::string& source, const Ro
   double time = 0;
   for (const TextLine& line : text.lines) {
     const auto words = wordsOf(line.text.substr(0, line.text.find('"')));
-    if (words.empty() || readWord(text, words, line.number, rows, told)) continue;
-    const double duration = text.number(words.back(), line.number, "Dur");
-    const double interpolate = text.number(words[words.size() - 2], line.number, "Int");
-    if (duration <= 0) text.fail(line.number, "Dur must be positive");
-    const double begin = time;
-    time += duration / 1000;
-    for (std::size_t i = 0; i < rows.columns(); ++i) {
-      if (words[i] == "-" || words[i] == "*") {
-        rows.hold(i, time);
-        continue;
-      }
-      const double value = text.number(words[i], line.number, "an angle");
-      const double target = rows.isHand(i) ? value : value * kDegree;
-      if (interpolate != 0) {
-        rows.put(i, time, target);
-      } else {
-        rows.jump(i, begin, time, target);
-      }
-    }
-    rows.lastUntil(time);
+    if (words.empty()) continue;
+    rows.attempt([&] {
+      if (readWord(text, words, line.number, rows, told)) return;
+      time = readRow(text, words, line.number, time, rows);
+    });
   }
   return rows.take();
 }

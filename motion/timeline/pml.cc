@@ -7,7 +7,7 @@ namespace nao::motion {
 
 std::filesystem::path behaviorOfPackage(const std::string& text, const std::string& source) {
   tinyxml2::XMLDocument document;
-  parseXml(document, text, source);
+  parseXml(document, text, source);  // mended or not: what counts is the one path in it
   const tinyxml2::XMLElement* root = document.FirstChildElement("Package");
   if (root == nullptr) throw InputError(source + ":1: expected a <Package>");
   const XarElement package(root, &source);

@@ -56,6 +56,26 @@ std::size_t readCodes(const MotionText& text, PoseRows& rows) {
   text.fail(1, "expected a line of joint codes that ends in DUR");
 }
 
+// Reads one row that begins at `begin` [s] and puts it. @returns when it ends.
+double readRow(const MotionText& text, const TextLine& line, double begin, PoseRows& rows) {
+  const auto words = wordsOf(line.text);
+  if (words.size() != rows.columns() + 2) {
+    text.fail(line.number, "expected " + std::to_string(rows.columns()) +
+                               " angles and a duration, not " + std::to_string(words.size() - 1) +
+                               " values");
+  }
+  const double duration = text.number(words.back(), line.number, "the duration");
+  if (duration <= 0) text.fail(line.number, "the duration must be positive");
+  const double end = begin + duration / 1000;
+  for (std::size_t k = 0; k < rows.columns(); ++k) {
+    rows.attempt([&] {
+      const double value = text.number(words[k + 1], line.number, "an angle");
+      rows.put(k, end, rows.isHand(k) ? value : value * kDegree);
+    });
+  }
+  return end;
+}
+
 }  // namespace
 
 Timeline readPos(const std::string& content, const std::string& source, const RobotModel& model) {
@@ -64,26 +84,14 @@ Timeline readPos(const std::string& content, const std::string& source, const Ro
   double time = 0;
   bool told_of_stiffness = false;
   for (std::size_t i = readCodes(text, rows); i < text.lines.size(); ++i) {
-    const int line = text.lines[i].number;
-    const auto words = wordsOf(text.lines[i].text);
+    const TextLine& line = text.lines[i];
+    const auto words = wordsOf(line.text);
     if (!words.empty() && words[0] == "$" && !told_of_stiffness) {
-      rows.warn(line, "stiffness is not part of a timeline; it stays as it is set");
+      rows.warn(line.number, "stiffness is not part of a timeline; it stays as it is set");
       told_of_stiffness = true;
     }
     if (words.empty() || words[0] != "!") continue;
-    if (words.size() != rows.columns() + 2) {
-      rows.warn(line, "expected " + std::to_string(rows.columns()) +
-                          " angles and a duration, not " + std::to_string(words.size() - 1) +
-                          " values; this row is left out");
-      continue;
-    }
-    const double duration = text.number(words.back(), line, "the duration");
-    if (duration <= 0) text.fail(line, "the duration must be positive");
-    time += duration / 1000;
-    for (std::size_t k = 0; k < rows.columns(); ++k) {
-      const double value = text.number(words[k + 1], line, "an angle");
-      rows.put(k, time, rows.isHand(k) ? value : value * kDegree);
-    }
+    rows.attempt([&] { time = readRow(text, line, time, rows); });
   }
   return rows.take();
 }

@@ -76,6 +76,7 @@ Timeline PoseRows::take() {
                            "0.02 s, or half way to the next row"});
   }
   if (builder_.isEmpty()) {
+    builder_.failIfBroken();
     const std::string why = builder_.warnings().empty() ? "" : "; " + builder_.warnings().front();
     throw InputError(source_ + ":1: nothing here moves a joint of this robot" + why);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,10 +44,15 @@ class PoseRows {
   /// The values that follow stand on this line of the file.
   void atLine(int line) { line_ = line; }
 
+  /// Reads one row; an InputError means that this row is broken and is left out.
+  void attempt(const std::function<void()>& read) { builder_.attempt(read); }
+  void addBroken(std::string sentence) { builder_.addBroken(std::move(sentence)); }
+
   void warn(int line, const std::string& sentence);
   void lastUntil(double end) { builder_.lastUntil(end); }
 
-  /// @throws InputError if no column moves a joint of this robot.
+  /// @throws InputError, if something was broken with that, if no column moves a joint of this
+  /// robot.
   Timeline take();
 
  private:

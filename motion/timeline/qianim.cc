@@ -27,12 +27,15 @@ std::optional<Joint> jointOf(const XarElement& curve, const RobotModel& model,
 
 Timeline readQianim(const std::string& text, const std::string& source, const RobotModel& model) {
   tinyxml2::XMLDocument document;
-  parseXml(document, text, source);
+  TimelineBuilder builder;
+  for (std::string& sentence : parseXml(document, text, source)) {
+    builder.addBroken(std::move(sentence));
+  }
   const tinyxml2::XMLElement* root = document.FirstChildElement("Animation");
+  if (root == nullptr) builder.failIfBroken();
   if (root == nullptr) throw InputError(source + ":1: expected an <Animation>");
 
   const XarElement animation(root, &source);
-  TimelineBuilder builder;
   std::set<std::size_t> done;
   // The robot's own name goes first: LHipYawPitch wins over its other name RHipYawPitch.
   for (const bool aliases : {false, true}) {
@@ -41,9 +44,11 @@ Timeline readQianim(const std::string& text, const std::string& source, const Ro
       const auto joint = jointOf(curve, model, builder);
       if (!joint || !done.insert(index(*joint)).second) continue;
       const bool is_hand = model.actuators[index(*joint)].coordinates.empty();
-      addXarCurve(curve, readXarClock(curve), *joint, is_hand, 0, builder);
+      builder.attempt(
+          [&] { addXarCurve(curve, readXarClock(curve), *joint, is_hand, 0, builder); });
     }
   }
+  if (builder.isEmpty()) builder.failIfBroken();
   if (builder.isEmpty()) animation.fail("no curve here moves a joint of this robot");
   return builder.take();
 }

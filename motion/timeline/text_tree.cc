@@ -2,6 +2,8 @@
 
 #include <cctype>
 
+#include "core/check.h"
+
 namespace nao::motion {
 namespace {
 
@@ -11,12 +13,11 @@ class Parser {
  public:
   Parser(const std::string& content, const MotionText& text) : content_(content), text_(text) {}
 
-  TextTree readAll() {
+  // Throws where it can not go on; what was read until then is in `all`.
+  void readAll(TextTree& all) {
     skip();
-    if (peek() == '{') return readValue(0);
-    TextTree all;
+    if (peek() == '{') return readValue(all, 0);
     while (skip(), !atEnd()) readMember(all, 0);
-    return all;
   }
 
  private:
@@ -65,20 +66,20 @@ class Parser {
     skip();
     if (name.empty() || (peek() != ':' && peek() != '=')) expected("a name and a value");
     advance();
-    tree.members.emplace_back(name, readValue(depth));
+    tree.members.emplace_back(name, TextTree());
+    readValue(tree.members.back().second, depth);
   }
 
-  TextTree readValue(int depth) {
+  void readValue(TextTree& value, int depth) {
     if (depth > kDeepest) text_.fail(line_, "brackets are nested too deeply");
     skip();
-    TextTree value;
     value.line = line_;
     const char open = peek();
     if (open != '{' && open != '[') {
       const bool quoted = open == '"';
       value.word = readWord();
       if (value.word.empty() && !quoted) expected("a value");
-      return value;
+      return;
     }
     const char close = open == '{' ? '}' : ']';
     advance();
@@ -87,11 +88,11 @@ class Parser {
       if (open == '{') {
         readMember(value, depth + 1);
       } else {
-        value.items.push_back(readValue(depth + 1));
+        value.items.emplace_back();
+        readValue(value.items.back(), depth + 1);
       }
     }
     advance();
-    return value;
   }
 
   const std::string& content_;
@@ -109,8 +110,15 @@ const TextTree* TextTree::find(const std::string& name) const {
   return nullptr;
 }
 
-TextTree readTextTree(const std::string& content, const MotionText& text) {
-  return Parser(content, text).readAll();
+TextTree readTextTree(const std::string& content, const MotionText& text,
+                      std::vector<std::string>& broken) {
+  TextTree all;
+  try {
+    Parser(content, text).readAll(all);
+  } catch (const InputError& error) {
+    broken.push_back(error.what());
+  }
+  return all;
 }
 
 }  // namespace nao::motion

@@ -19,7 +19,9 @@ struct TextTree {
   const TextTree* find(const std::string& name) const;  // nullptr if there is no such member
 };
 
-/// @throws InputError with source and line where brackets or names are missing.
-TextTree readTextTree(const std::string& content, const MotionText& text);
+/// Reads up to where brackets or names are missing, and tells that with source and line in
+/// `broken`.
+TextTree readTextTree(const std::string& content, const MotionText& text,
+                      std::vector<std::string>& broken);
 
 }  // namespace nao::motion

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/check.h"
+
 namespace nao::motion {
 namespace {
 
@@ -35,6 +37,18 @@ double frameAt(const Timeline& timeline, std::optional<Joint> joint, double time
     if (!joint || curve.joint == *joint) number = std::max(number, keyReached(curve, time));
   }
   return number;
+}
+
+void TimelineBuilder::attempt(const std::function<void()>& read) {
+  try {
+    read();
+  } catch (const InputError& error) {
+    addBroken(error.what());
+  }
+}
+
+void TimelineBuilder::failIfBroken() const {
+  if (!timeline_.broken.empty()) throw InputError(timeline_.broken.front());
 }
 
 Timeline TimelineBuilder::take() {

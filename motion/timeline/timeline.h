@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,7 +32,8 @@ struct Timeline {
   double length = 0;                  // [s] until everything has ended
   std::vector<std::string> warnings;  // what was left out, one sentence each
   std::vector<KeyFault> key_faults;
-  std::vector<FrameClock> clocks;  // by start; none of a joint whose file does not count frames
+  std::vector<std::string> broken;  // what could not be read; the rest is here
+  std::vector<FrameClock> clocks;   // by start; none of a joint whose file does not count frames
 };
 
 /// The frame of the file that shows this joint at `time` [s]; of a file without frames the number
@@ -46,6 +48,13 @@ class TimelineBuilder {
   void add(double start, const Curve& curve);
 
   void addClock(const FrameClock& clock) { timeline_.clocks.push_back(clock); }
+  /// Reads one part of a file. If `read` throws an InputError the part is left out and the sentence
+  /// kept as broken; `read` must not have added anything yet.
+  void attempt(const std::function<void()>& read);
+
+  /// What was wrong with the file's form already.
+  void addBroken(std::string sentence) { timeline_.broken.push_back(std::move(sentence)); }
+
   void addFault(KeyFault fault) { timeline_.key_faults.push_back(std::move(fault)); }
 
   /// Nothing ends before `end` [s].
@@ -55,6 +64,10 @@ class TimelineBuilder {
   const std::vector<std::string>& warnings() const { return timeline_.warnings; }
   bool isEmpty() const { return timeline_.curves.empty(); }
   Timeline take();
+
+  /// @throws InputError with the first broken part, if there is one: for a file of which nothing is
+  /// left to play.
+  void failIfBroken() const;
 
  private:
   void holdUntilEnd();

@@ -40,6 +40,29 @@ double readTime(const MotionText& text, const std::string& cell, int line) {
   return minutes * 60 + seconds + text.number(parts[2], line, "the milliseconds") / 1000;
 }
 
+// Reads one row of poses and puts it, later than `before` [s]. @returns its time.
+double readRow(const MotionText& text, const TextLine& line, double before,
+               const std::vector<std::size_t>& columns, PoseRows& rows) {
+  const auto cells = splitAt(line.text, ',');
+  const double time = readTime(text, cells[0], line.number);
+  if (time <= before) text.fail(line.number, "the time must be later than that of the row above");
+  if (cells.size() < kBeforeJoints) text.fail(line.number, "the row lacks its pose and values");
+  const std::size_t values = cells.size() - kBeforeJoints;
+  if (values != columns.size()) {
+    rows.addBroken(text.place(line.number) + ": this row has " + std::to_string(values) +
+                   " values for " + std::to_string(columns.size()) + " joints");
+  }
+  rows.atLine(line.number);
+  for (std::size_t i = 0; i < std::min(values, columns.size()); ++i) {
+    const std::string& cell = cells[kBeforeJoints + i];
+    if (cell == "*" || columns[i] == kNoColumn) continue;
+    rows.attempt(
+        [&] { rows.put(columns[i], time, text.number(cell, line.number, "a joint's value")); });
+  }
+  rows.lastUntil(time);
+  return time;
+}
+
 }  // namespace
 
 Timeline readWebotsMotion(const std::string& content, const std::string& source,
@@ -51,22 +74,7 @@ Timeline readWebotsMotion(const std::string& content, const std::string& source,
   for (const TextLine& line : text.lines) {
     const auto cells = splitAt(line.text, ',');
     if (line.number == 1 || cells.empty() || cells[0].empty() || cells[0][0] == '#') continue;
-    const double time = readTime(text, cells[0], line.number);
-    if (time <= before) text.fail(line.number, "the time must be later than that of the row above");
-    if (cells.size() < kBeforeJoints) text.fail(line.number, "the row lacks its pose and values");
-    const std::size_t values = cells.size() - kBeforeJoints;
-    if (values != columns.size()) {
-      rows.warn(line.number, "this row has " + std::to_string(values) + " values for " +
-                                 std::to_string(columns.size()) + " joints");
-    }
-    rows.atLine(line.number);
-    for (std::size_t i = 0; i < std::min(values, columns.size()); ++i) {
-      const std::string& cell = cells[kBeforeJoints + i];
-      if (cell == "*" || columns[i] == kNoColumn) continue;
-      rows.put(columns[i], time, text.number(cell, line.number, "a joint's value"));
-    }
-    rows.lastUntil(time);
-    before = time;
+    rows.attempt([&] { before = readRow(text, line, before, columns, rows); });
   }
   return rows.take();
 }

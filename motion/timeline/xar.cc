@@ -24,7 +24,9 @@ struct Link {
 // the other.
 class Player {
  public:
-  Player(const RobotModel& model, TimelineBuilder& builder) : model_(model), builder_(builder) {}
+  // `whole`: the text was well-formed, so that boxes without links have none.
+  Player(const RobotModel& model, TimelineBuilder& builder, bool whole)
+      : model_(model), builder_(builder), whole_(whole) {}
 
   // Plays a box from `start` [s]; returns when it ends, or nothing if that can not be told.
   std::optional<double> playBox(const XarElement& box, double start, int depth);
@@ -33,12 +35,14 @@ class Player {
 
  private:
   double playTimeline(const XarElement& timeline, double start, int depth);
+  double playInOrder(const XarElement& diagram, double start, int depth);
   std::optional<double> playDiagram(const XarElement& diagram, double start, int depth);
   double playCurves(const XarElement& list, const XarClock& clock, double start);
   void warnOfScript(const XarElement& box);
 
   const RobotModel& model_;
   TimelineBuilder& builder_;
+  bool whole_;
   std::string undecided_;  // the first box that chooses a branch
 };
 
@@ -83,7 +87,13 @@ std::optional<double> Player::playBox(const XarElement& box, double start, int d
 }
 
 double Player::playTimeline(const XarElement& timeline, double start, int depth) {
-  const XarClock clock = readXarClock(timeline);
+  XarClock clock;
+  bool has_clock = false;
+  builder_.attempt([&] {
+    clock = readXarClock(timeline);
+    has_clock = true;
+  });
+  if (!has_clock) return start;
   double end = start;
   if (clock.end_frame) end = std::max(end, start + clock.timeOf(*clock.end_frame));
   for (const XarElement& list : timeline.children("ActuatorList")) {
@@ -92,7 +102,8 @@ double Player::playTimeline(const XarElement& timeline, double start, int depth)
   for (const XarElement& layer : timeline.children("BehaviorLayer")) {
     if (layer.flag("mute", false)) continue;
     for (const XarElement& keyframe : layer.children("BehaviorKeyframe")) {
-      const double at = start + std::max(0.0, clock.timeOf(keyframe.number("index")));
+      double at = start;
+      builder_.attempt([&] { at += std::max(0.0, clock.timeOf(keyframe.number("index"))); });
       if (const XarElement diagram = keyframe.child("Diagram")) {
         end = std::max(end, playDiagram(diagram, at, depth).value_or(at));
       }
@@ -117,8 +128,21 @@ double Player::playCurves(const XarElement& list, const XarClock& clock, double 
       }
       if (!done.insert(index(*joint)).second) continue;
       const bool is_hand = model_.actuators[index(*joint)].coordinates.empty();
-      end = std::max(end, addXarCurve(curve, clock, *joint, is_hand, start, builder_));
+      builder_.attempt([&] {
+        end = std::max(end, addXarCurve(curve, clock, *joint, is_hand, start, builder_));
+      });
     }
+  }
+  return end;
+}
+
+double Player::playInOrder(const XarElement& diagram, double start, int depth) {
+  builder_.addBroken(diagram.place() +
+                     ": the links between these boxes are lost; they are played in the order of "
+                     "the text");
+  double end = start;
+  for (const XarElement& box : diagram.children("Box")) {
+    end = playBox(box, end, depth + 1).value_or(end);
   }
   return end;
 }
@@ -127,6 +151,7 @@ std::optional<double> Player::playDiagram(const XarElement& diagram, double star
   std::map<std::string, XarElement> boxes;
   for (const XarElement& box : diagram.children("Box")) boxes.emplace(box.text("id"), box);
   const std::vector<Link> links = linksOf(diagram);
+  if (links.empty() && !whole_ && boxes.size() > 1) return playInOrder(diagram, start, depth);
 
   // Who starts when: first whoever is linked to the start, or everybody where nothing is linked.
   std::vector<std::pair<std::string, double>> due;
@@ -168,9 +193,12 @@ void Player::warnOfScript(const XarElement& box) {
   builder_.warn(box.place() + ": the script of the box \"" + box.text("name") + "\" is not run");
 }
 
-// The root box of a document that has been parsed.
-XarElement rootBox(const tinyxml2::XMLDocument& document, const std::string& source) {
+// The root box of a document that has been parsed; `broken`: what was wrong with it.
+XarElement rootBox(const tinyxml2::XMLDocument& document, const std::string& source,
+                   const std::vector<std::string>& broken) {
   const tinyxml2::XMLElement* root = document.FirstChildElement("ChoregrapheProject");
+  const bool is_whole = root != nullptr && root->FirstChildElement("Box") != nullptr;
+  if (!is_whole && !broken.empty()) throw InputError(broken.front());
   if (root == nullptr) {
     throw InputError(source + ":1: expected a <ChoregrapheProject>, the root of a behavior");
   }
@@ -180,21 +208,24 @@ XarElement rootBox(const tinyxml2::XMLDocument& document, const std::string& sou
   return box;
 }
 
-void collectTimelines(const XarElement& box, const RobotModel& model, int depth,
+// `broken`: what was wrong with the whole text.
+void collectTimelines(const XarElement& box, const RobotModel& model,
+                      const std::vector<std::string>& broken, int depth,
                       std::vector<BoxTimeline>& found) {
   if (depth > kDeepestNesting) box.fail("boxes are nested too deeply");
   const XarElement timeline = box.child("Timeline");
   if (!timeline) return;
   if (timeline.flag("enable", false) && timeline.child("ActuatorList")) {
     TimelineBuilder builder;
-    Player(model, builder).playBox(box, 0, depth);
+    for (const std::string& sentence : broken) builder.addBroken(sentence);
+    Player(model, builder, broken.empty()).playBox(box, 0, depth);
     if (!builder.isEmpty()) found.push_back({box.text("name"), builder.take()});
   }
   for (const XarElement& layer : timeline.children("BehaviorLayer")) {
     for (const XarElement& keyframe : layer.children("BehaviorKeyframe")) {
       const XarElement diagram = keyframe.child("Diagram");
       for (const XarElement& inner : diagram.children("Box")) {
-        collectTimelines(inner, model, depth + 1, found);
+        collectTimelines(inner, model, broken, depth + 1, found);
       }
     }
   }
@@ -204,12 +235,14 @@ void collectTimelines(const XarElement& box, const RobotModel& model, int depth,
 
 Timeline readXar(const std::string& text, const std::string& source, const RobotModel& model) {
   tinyxml2::XMLDocument document;
-  parseXml(document, text, source);
-  const XarElement box = rootBox(document, source);
-
   TimelineBuilder builder;
-  Player player(model, builder);
+  const std::vector<std::string> broken = parseXml(document, text, source);
+  for (const std::string& sentence : broken) builder.addBroken(sentence);
+  const XarElement box = rootBox(document, source, broken);
+
+  Player player(model, builder, broken.empty());
   player.playBox(box, 0, 0);
+  if (builder.isEmpty()) builder.failIfBroken();
   if (builder.isEmpty() && !player.undecided().empty()) {
     box.fail("nothing starts by itself: the box \"" + player.undecided() +
              "\" would have to choose what to play");
@@ -221,9 +254,9 @@ Timeline readXar(const std::string& text, const std::string& source, const Robot
 std::vector<BoxTimeline> readXarBoxes(const std::string& text, const std::string& source,
                                       const RobotModel& model) {
   tinyxml2::XMLDocument document;
-  parseXml(document, text, source);
+  const std::vector<std::string> broken = parseXml(document, text, source);
   std::vector<BoxTimeline> found;
-  collectTimelines(rootBox(document, source), model, 0, found);
+  collectTimelines(rootBox(document, source, broken), model, broken, 0, found);
   return found;
 }
 

@@ -15,9 +15,11 @@ namespace nao::motion {
 ///   value: degrees; hands 0 to 1 (unit 1, or any unit on a hand); percent if above 1
 ///   a key without a tangent is bezier_auto on both sides
 ///
+/// What is broken is left out and told in `broken`; boxes whose links are lost play in their order.
+///
 /// `source` names the text in messages (a file, or what the client called it).
 /// @throws InputError with source and line if the text is not such a behavior, or if nothing in it
-/// starts by itself.
+/// starts by itself, or is left of it.
 Timeline readXar(const std::string& text, const std::string& source, const RobotModel& model);
 
 /// A timeline of one box, as if that box were started alone.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <iterator>
 
 #include "motion/trajectory.h"
@@ -26,7 +27,7 @@ double unitOf(const XarElement& curve, bool is_hand, const std::vector<XarElemen
   const bool dimensionless = unit == "1" || unit == "dimensionless";
   if (!is_hand && !dimensionless) return kDegree;
   for (const XarElement& key : keys) {
-    if (std::abs(key.number("value")) > 1) return 0.01;
+    if (std::abs(std::strtod(key.text("value").c_str(), nullptr)) > 1) return 0.01;
   }
   return 1;
 }
@@ -142,34 +143,29 @@ XarClock readXarClock(const XarElement& timeline) {
   return clock;
 }
 
-Curve readXarCurve(const XarElement& curve, const XarClock& clock, Joint joint, bool is_hand,
-                   std::vector<KeyFault>& faults) {
+double addXarCurve(const XarElement& curve, const XarClock& clock, Joint joint, bool is_hand,
+                   double start, TimelineBuilder& builder) {
   std::vector<XarElement> elements = curve.children("Key");
   if (const XarElement group = curve.child("CurveKeys")) elements = group.children("Key");
   const double unit = unitOf(curve, is_hand, elements);
   std::vector<PlacedKey> placed;
   for (const XarElement& element : elements) {
-    placed.push_back({readKey(element, clock, unit), element});
+    builder.attempt([&] { placed.push_back({readKey(element, clock, unit), element}); });
   }
-  const std::string name = curve.text("actuator");
-  if (placed.empty()) faults.push_back({joint, 0, curve.place() + ": " + name + " has no keys"});
-  std::vector<Key> keys = KeyRow(clock, joint, name, faults).settle(std::move(placed));
-  fillAutomaticHandles(keys);
-  return {joint, std::move(keys)};
-}
-
-double addXarCurve(const XarElement& curve, const XarClock& clock, Joint joint, bool is_hand,
-                   double start, TimelineBuilder& builder) {
   std::vector<KeyFault> faults;
-  const Curve read = readXarCurve(curve, clock, joint, is_hand, faults);
+  const std::string name = curve.text("actuator");
+  if (elements.empty()) faults.push_back({joint, 0, curve.place() + ": " + name + " has no keys"});
+  std::vector<Key> keys = KeyRow(clock, joint, name, faults).settle(std::move(placed));
   for (KeyFault& fault : faults) {
     fault.time += start;
     builder.addFault(std::move(fault));
   }
-  if (read.keys.empty()) return start;
-  builder.add(start, read);
+  if (keys.empty()) return start;
+  fillAutomaticHandles(keys);
+  const double end = start + keys.back().time;
+  builder.add(start, {joint, std::move(keys)});
   builder.addClock({joint, start, clock.fps, clock.start_frame});
-  return start + read.keys.back().time;
+  return end;
 }
 
 }  // namespace nao::motion

@@ -24,11 +24,9 @@ XarClock readXarClock(const XarElement& timeline);
 
 /// One ActuatorCurve of a joint: keys between the first and the last frame, times from the start
 /// of the timeline on. A key on the first frame itself counts half a frame later, since a motion
-/// takes time. Adds to `faults` the keys that can not be played as they are written.
-Curve readXarCurve(const XarElement& curve, const XarClock& clock, Joint joint, bool is_hand,
-                   std::vector<KeyFault>& faults);
-
-/// The same, played from `start` [s] on. @returns when its last key is; `start` if it has none.
+/// takes time. Tells `builder` of keys that can not be played as they are written, or not at all.
+/// It is played from `start` [s] on. @returns when its last key is; `start` if it has none.
+/// @throws InputError if its unit is unknown.
 double addXarCurve(const XarElement& curve, const XarClock& clock, Joint joint, bool is_hand,
                    double start, TimelineBuilder& builder);
 

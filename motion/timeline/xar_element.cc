@@ -4,13 +4,23 @@
 #include <cstdlib>
 
 #include "core/check.h"
+#include "motion/timeline/xml_mender.h"
 
 namespace nao::motion {
 
-void parseXml(tinyxml2::XMLDocument& document, const std::string& text, const std::string& source) {
-  if (document.Parse(text.data(), text.size()) == tinyxml2::XML_SUCCESS) return;
-  throw InputError(source + ":" + std::to_string(document.ErrorLineNum()) +
-                   ": this is not well-formed XML");
+std::vector<std::string> parseXml(tinyxml2::XMLDocument& document, const std::string& text,
+                                  const std::string& source) {
+  if (document.Parse(text.data(), text.size()) == tinyxml2::XML_SUCCESS) return {};
+  const std::string at_line = source + ":" + std::to_string(document.ErrorLineNum());
+  const MendedXml mended = mendXml(text);
+  if (document.Parse(mended.text.data(), mended.text.size()) != tinyxml2::XML_SUCCESS) {
+    throw InputError(at_line + ": this is not well-formed XML");
+  }
+  std::vector<std::string> broken;
+  for (const MendedXml::Break& b : mended.breaks) {
+    broken.push_back(source + ":" + std::to_string(b.line) + ": no well-formed XML: " + b.sentence);
+  }
+  return broken;
 }
 
 XarElement XarElement::child(const char* name) const {

@@ -7,8 +7,10 @@
 
 namespace nao::motion {
 
-/// Parses a motion file in XML. @throws InputError "source:line: ..." if it is not well-formed.
-void parseXml(tinyxml2::XMLDocument& document, const std::string& text, const std::string& source);
+/// Parses a motion file in XML. Where it is not well-formed it is mended (mendXml).
+/// @returns what was broken, "source:line: ...". @throws InputError if it is beyond mending.
+std::vector<std::string> parseXml(tinyxml2::XMLDocument& document, const std::string& text,
+                                  const std::string& source);
 
 /// One element of a behavior. What version 3 writes as an attribute, version 1 writes as a child
 /// element of that name; both are read alike here.

@@ -125,6 +125,7 @@ std::string AlFrameManager::add(const std::string& path, motion::Timeline timeli
     throw rpc::CallError("too many behaviors: delete some first");
   }
   if (warn_) {
+    for (const std::string& sentence : timeline.broken) warn_(sentence);
     for (const std::string& sentence : timeline.warnings) warn_(sentence);
     for (const motion::KeyFault& fault : timeline.key_faults) warn_(fault.sentence);
   }

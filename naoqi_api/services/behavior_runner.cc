@@ -29,6 +29,7 @@ Playback& BehaviorRunner::load(const std::string& name) {
     throw rpc::CallError(error.what());
   }
   if (hooks_.warn) {
+    for (const std::string& sentence : timeline.broken) hooks_.warn(sentence);
     for (const std::string& sentence : timeline.warnings) hooks_.warn(sentence);
     for (const motion::KeyFault& fault : timeline.key_faults) hooks_.warn(fault.sentence);
   }

@@ -94,6 +94,18 @@ TEST(Play, ARobotThatPushesItselfIsToldWithBothBodies) {
   EXPECT_GT(touch->value, 0.5);
 }
 
+TEST(Play, WhatIsBrokenInTheFileIsAFault) {
+  const PlaySettings settings = settingsFor("nao_h21_v33");
+  auto timeline = moveTo(*settings.model, 0.5, {{"HeadYaw", 0.1}});
+  timeline.broken = {"a.xar:7: no well-formed XML"};
+  const Played played = play(timeline, settings);
+  ASSERT_EQ(played.faults.size(), 1u);
+  EXPECT_EQ(played.faults[0].kind, Kind::File);
+  EXPECT_EQ(played.faults[0].text, "a.xar:7: no well-formed XML");
+  const std::string text = toText(reportPlay("a.xar", timeline, settings, played));
+  EXPECT_NE(text.find("its file is broken and this is the rest of it"), std::string::npos) << text;
+}
+
 TEST(Play, StartsInTheMotionsOwnFirstPoseWhenAsked) {
   PlaySettings settings = settingsFor("nao_h21_v33");
   settings.from = "first";

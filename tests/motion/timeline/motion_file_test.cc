@@ -74,7 +74,7 @@ TEST(Qianim, WhatIsNoJointIsToldAndTheRestIsPlayed) {
 
 TEST(Qianim, WhatIsWrongIsToldWithItsLine) {
   EXPECT_EQ(errorOf("<Animation>\n<Actuator", "a.qianim"),
-            "a.qianim:2: this is not well-formed XML");
+            "a.qianim:2: no well-formed XML: the tag <Actuator is not well-formed; it is left out");
   EXPECT_EQ(errorOf("<Other/>", "a.qianim"), "a.qianim:1: expected an <Animation>");
   EXPECT_EQ(errorOf(animation("<ActuatorCurve actuator=\"HeadYaw\" unit=\"inch\"/>"), "a.qianim"),
             "a.qianim:3: unknown unit \"inch\", expected degree, radian or dimensionless (0 or 1 "

@@ -66,11 +66,23 @@ TEST(Mof, WithoutInterpolationTheJointJumpsAndStays) {
 TEST(Mof, WhatIsWrongIsToldWithItsLine) {
   EXPECT_EQ(errorOf("motion_id = a\n1 2 3\n", "a.mof"),
             "a.mof:2: expected 26 angles, Int and Dur, not 3 values");
-  EXPECT_EQ(errorOf(mofRow("x", "0", "0", "0", "1 100"), "a.mof"),
+  EXPECT_EQ(errorOf(mofRow("x", "x", "x", "x", "1 100"), "a.mof"),
             "a.mof:1: an angle must be a number, not \"x\"");
   EXPECT_EQ(errorOf(mofRow("0", "0", "0", "0", "1 0"), "a.mof"), "a.mof:1: Dur must be positive");
   EXPECT_EQ(errorOf("0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 1 100\n", "a.mof"),
             "a.mof:1: a row of 22 joints is of the years before 2016, whose signs are not known");
+}
+
+TEST(Mof, WhatCanNotBeReadIsToldAndTheRestIsPlayed) {
+  const Timeline timeline = readMotion(
+      mofRow("1", "1", "0", "0", "1 100") + "1 2 3\n" + mofRow("x", "2", "0", "0", "1 100"),
+      "a.mof", *makeTestRobot());
+  EXPECT_NEAR(timeline.length, 0.2, kExact);
+  EXPECT_EQ(keysOf(timeline, "HeadYaw").size(), 1u);
+  EXPECT_EQ(keysOf(timeline, "LShoulderPitch").size(), 2u);
+  EXPECT_EQ(timeline.broken,
+            (std::vector<std::string>{"a.mof:2: expected 26 angles, Int and Dur, not 3 values",
+                                      "a.mof:3: an angle must be a number, not \"x\""}));
 }
 
 std::string kfmFrame(const std::string& head, const std::string& end) {
@@ -108,6 +120,19 @@ TEST(Kfm, WhatIsWrongIsToldWithItsLine) {
   EXPECT_EQ(errorOf("keyFrames = [\n{\n", "a.kfm"), "a.kfm:3: expected a closing }");
 }
 
+TEST(Kfm, FramesBeforeABreakArePlayedAndTheBreakIsTold) {
+  const std::string whole = kfmFrame("1,2", "duration = 400;");
+  const Timeline timeline =
+      readMotion("keyFrames = [\n" + whole + ",\n" + kfmFrame("1", "duration = 400;") + ",\n" +
+                     whole + ",\n{\n headAngles = [1,",
+                 "a.kfm", *makeTestRobot());
+  EXPECT_NEAR(timeline.length, 0.8, kExact);
+  ASSERT_EQ(timeline.broken.size(), 3u);
+  EXPECT_EQ(timeline.broken[0], "a.kfm:21: expected a closing ]");
+  EXPECT_EQ(timeline.broken[1], "a.kfm:9: headAngles must have 2 values, not 1");
+  EXPECT_EQ(timeline.broken[2], "a.kfm:20: the key frame lacks its duration");
+}
+
 TEST(Hulks, PartsAndJointsGoByNameInRadiansAndSeconds) {
   const Timeline timeline = readMotion(
       "{\n\"initial_positions\": {\"head\": {\"yaw\": 0.5}},\n\"motion\": [{\"keyframes\": [\n"
@@ -125,6 +150,20 @@ TEST(Hulks, PartsAndJointsGoByNameInRadiansAndSeconds) {
   EXPECT_NEAR(keysOf(timeline, "LHipYawPitch").at(0).angle, -0.3, kExact);
   ASSERT_EQ(timeline.warnings.size(), 1u);
   EXPECT_EQ(timeline.warnings[0], "up.json:7: the exit_condition is not waited for");
+}
+
+TEST(Hulks, FramesBeforeABreakArePlayedAndTheBreakIsTold) {
+  const Timeline timeline = readMotion(
+      "{\"motion\": [{\"keyframes\": [\n"
+      "{\"duration\": 0.25, \"positions\": {\"head\": {\"yaw\": 1, \"pitch\": \"?\"}}},\n"
+      "{\"positions\": {}},\n{\"duration\": 0.5, \"positions\": {\"head\": {\"yaw\" 0}}}]}]}",
+      "a.json", *makeTestRobot());
+  EXPECT_NEAR(timeline.length, 0.75, kExact);
+  EXPECT_EQ(keysOf(timeline, "HeadYaw").size(), 2u);  // the second: stays
+  EXPECT_EQ(timeline.broken,
+            (std::vector<std::string>{"a.json:4: expected a name and a value",
+                                      "a.json:2: a position must be a number, not \"?\"",
+                                      "a.json:3: expected a member duration"}));
 }
 
 TEST(Hulks, WhatIsWrongIsToldWithItsLine) {

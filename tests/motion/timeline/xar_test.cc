@@ -246,7 +246,7 @@ TEST(Xar, ScriptsAreLeftOutAndSaidSo) {
 
 TEST(Xar, SaysWhereAMistakeIs) {
   EXPECT_EQ(errorOf("<ChoregrapheProject><Box></ChoregrapheProject>"),
-            "test.xar:1: this is not well-formed XML");
+            "test.xar:1: no well-formed XML: <Box> is not closed");
   EXPECT_EQ(errorOf("<Behavior/>"),
             "test.xar:1: expected a <ChoregrapheProject>, the root of a behavior");
   EXPECT_EQ(errorOf(project("\n" + box("1", "fps=\"0\"", curve("HeadYaw", kYawTo90)))),
@@ -255,6 +255,83 @@ TEST(Xar, SaysWhereAMistakeIs) {
             "test.xar:3: value must be a number, not \"much\"");
   EXPECT_EQ(errorOf(project(box("1", "", curve("HeadYaw", "<Key frame=\"1\"/>")))),
             "test.xar:2: Key lacks its value");
+}
+
+// What a timeline of 10 frames a second still plays of these curves, and what was broken.
+Timeline rest(const std::string& curves) {
+  return read(project("\n" + box("1", "fps=\"10\" start_frame=\"0\"", curves)));
+}
+
+TEST(Xar, AKeyThatCanNotBeReadIsLeftOutAndTheOthersArePlayed) {
+  const Timeline timeline =
+      rest(curve("HeadYaw",
+                 "<Key frame=\"10\" value=\"5\"/>\n<Key frame=\"20\" value=\"much\"/>\n"
+                 "<Key value=\"7\"/><Key frame=\"30\" value=\"9\"/>"));
+  const auto& keys = timeline.curves.at(0).keys;
+  ASSERT_EQ(keys.size(), 2u);
+  EXPECT_NEAR(keys[1].time, 3, kExact);
+  EXPECT_NEAR(keys[1].angle, 9 * kDegree, kExact);
+  EXPECT_EQ(timeline.broken,
+            (std::vector<std::string>{"test.xar:4: value must be a number, not \"much\"",
+                                      "test.xar:5: Key lacks its frame"}));
+}
+
+TEST(Xar, ACurveOfAnUnknownUnitIsLeftOutAndTheOthersArePlayed) {
+  const Timeline timeline =
+      rest(curve("HeadYaw", kYawTo90, "unit=\"7\"") + curve("HeadPitch", kYawTo90));
+  ASSERT_EQ(timeline.curves.size(), 1u);
+  EXPECT_EQ(timeline.curves[0].joint, *makeTestRobot()->findJoint("HeadPitch"));
+  ASSERT_EQ(timeline.broken.size(), 1u);
+  EXPECT_EQ(timeline.broken[0].rfind("test.xar:3: unknown unit \"7\"", 0), 0u);
+}
+
+TEST(Xar, ATimelineWithoutATimeIsLeftOutAndTheOthersArePlayed) {
+  const Timeline timeline =
+      read(project(box("1", "fps=\"-1\"", curve("HeadYaw", kYawTo90)) +
+                   box("2", "fps=\"25\" start_frame=\"1\"", curve("HeadPitch", kYawTo90)) +
+                   link("0", "1") + link("1", "2")));
+  EXPECT_EQ(timeline.curves.size(), 1u);
+  EXPECT_EQ(timeline.broken, std::vector<std::string>{"test.xar:2: fps must be positive"});
+}
+
+TEST(Xar, CurvesOfDifferentLengthEndEachWithItsOwnLastKey) {
+  const Timeline timeline =
+      rest(curve("HeadYaw", "<Key frame=\"10\" value=\"5\"/>") +
+           curve("HeadPitch", "<Key frame=\"10\" value=\"5\"/><Key frame=\"40\" value=\"1\"/>"));
+  EXPECT_NEAR(timeline.length, 4, kExact);
+  EXPECT_EQ(timeline.curves.at(0).keys.size(), 1u);
+  EXPECT_NEAR(Trajectory(0, timeline.curves[0].keys).at(4), 5 * kDegree, kExact);
+  EXPECT_TRUE(timeline.broken.empty());
+}
+
+TEST(Xar, BrokenXmlIsToldWithItsLineAndTheRestIsPlayed) {
+  const std::string whole =
+      project("\n" + box("1", "fps=\"10\" start_frame=\"0\"",
+                         curve("HeadYaw",
+                               "<Key frame=\"10\" value=\"5\"/>\n"
+                               "<Key frame=\"20\" value=6/>\n<Key frame=\"30\" value=\"7\"/>")));
+  const Timeline timeline = read(whole);
+  EXPECT_EQ(timeline.curves.at(0).keys.size(), 2u);
+  EXPECT_NEAR(timeline.length, 3, kExact);
+  EXPECT_EQ(timeline.broken,
+            std::vector<std::string>{"test.xar:4: no well-formed XML: the tag <Key is not "
+                                     "well-formed; it is left out"});
+}
+
+// A text that was cut has lost the links of its diagram, which stand behind the boxes.
+TEST(Xar, ACutBehaviorPlaysTheBoxesItHasOneAfterTheOther) {
+  const std::string clock = "fps=\"10\" start_frame=\"0\"";
+  const std::string key = "<Key frame=\"10\" value=\"5\"/>";
+  const std::string whole =
+      project(box("1", clock, curve("HeadYaw", key)) + box("2", clock, curve("HeadPitch", key)) +
+              box("3", clock, curve("LHipRoll", key) + curve("LHipPitch", key)) + link("0", "3"));
+  const Timeline timeline =
+      read(whole.substr(0, whole.find("<ActuatorCurve actuator=\"LHipPitch") + 20));
+  ASSERT_EQ(timeline.curves.size(), 3u);
+  EXPECT_NEAR(timeline.length, 3, kExact);
+  EXPECT_EQ(timeline.broken.back(),
+            "test.xar:2: the links between these boxes are lost; they are played in the order of "
+            "the text");
 }
 
 TEST(Xar, WhatABoxWouldHaveToChooseIsAnError) {

@@ -124,7 +124,7 @@ TEST_F(Behaviors, WhatIsWrongIsToldToTheClient) {
             "\tALBehaviorManager::runBehavior\n\tno behavior \"dance\" is installed; "
             "getInstalledBehaviors lists those there are");
   const std::string broken = bench.errorOf(*manager, "startBehavior", {"broken"});
-  EXPECT_NE(broken.find("broken.xar:2: this is not well-formed XML"), std::string::npos) << broken;
+  EXPECT_NE(broken.find("broken.xar:2: no well-formed XML"), std::string::npos) << broken;
   EXPECT_FALSE(call("preloadBehavior", {"dance"}).to<bool>());
 }
 
