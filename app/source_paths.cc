@@ -24,6 +24,12 @@ std::vector<fs::path> motionsIn(const std::string& folder) {
   return files;
 }
 
+std::string stemsOf(const std::vector<fs::path>& files) {
+  std::string names;
+  for (const fs::path& file : files) names += " " + file.stem().string();
+  return names;
+}
+
 }  // namespace
 
 std::string findSourceFile(const std::string& path) {
@@ -51,14 +57,20 @@ std::string findMotionFile(const std::string& name, const std::string& robot) {
   if (fs::exists(name)) return name;
   std::vector<std::string> folders = shippedMotions();
   folders.push_back((fs::path(NAO_SOURCE_DIR) / "robots" / robot / "motions").string());
-  std::string known;
+  std::vector<fs::path> shipped;
   for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder) {
     for (const fs::path& file : motionsIn(*folder)) {
       if (file.stem() == name || file.filename() == name) return file.string();
-      known += " " + file.stem().string();
+      shipped.push_back(file);
     }
   }
-  throw InputError(name + ": no such file, nor a motion of that name here:" + known);
+  std::vector<fs::path> alike;
+  for (const fs::path& file : shipped) {
+    if (!name.empty() && file.stem().string().rfind(name, 0) == 0) alike.push_back(file);
+  }
+  if (alike.size() == 1) return alike.front().string();
+  if (!alike.empty()) throw InputError(name + ": several motions begin so:" + stemsOf(alike));
+  throw InputError(name + ": no such file, nor a motion of that name here:" + stemsOf(shipped));
 }
 
 }  // namespace nao::app

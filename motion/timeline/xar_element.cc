@@ -44,6 +44,11 @@ std::string XarElement::text(const char* name, const std::string& missing) const
   return text == nullptr ? "" : text;
 }
 
+std::string XarElement::ownText() const {
+  const char* text = element_->GetText();
+  return text == nullptr ? "" : text;
+}
+
 double XarElement::number(const char* name, double missing) const {
   const std::string digits = text(name);
   if (digits.empty()) return missing;

@@ -28,6 +28,8 @@ class XarElement {
   /// The text of an attribute or child element; `missing` if there is neither.
   std::string text(const char* name, const std::string& missing = {}) const;
 
+  std::string ownText() const;  // what stands between its own tags
+
   /// The same as a finite number. @throws InputError if the text is no number.
   double number(const char* name, double missing) const;
   double number(const char* name) const;  // @throws InputError if missing

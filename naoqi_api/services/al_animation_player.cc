@@ -42,8 +42,8 @@ void AlAnimationPlayer::declare(rpc::Service& service) {
   addMethod(service, "runTag", this, &Self::runTag,
             "Plays one of the animations of a tag, each in turn, and waits for its end.",
             rpc::Argument{"tag",
-                          "A tag that addTagForAnimations has told, or a folder of\n"
-                          "installed motions."});
+                          "A tag that addTagForAnimations or a manifest has told, or a\n"
+                          "folder of installed motions."});
   addMethod(service, "addTagForAnimations", this, &Self::addTagForAnimations,
             "Gives animations a tag.", rpc::Argument{"tagToAnims", "Names of animations by tag."});
   addMethod(
@@ -77,6 +77,8 @@ rpc::Pending<void> AlAnimationPlayer::runTag(const std::string& tag) {
   Names candidates;
   const auto told = tags_.find(tag);
   if (told != tags_.end()) candidates = told->second;
+  for (std::string& name : runner_->library().namesByTag(tag))
+    candidates.push_back(std::move(name));
   for (const std::string& name : runner_->library().names()) {
     if (!tag.empty() && name.rfind(tag + "/", 0) == 0) candidates.push_back(name);
   }

@@ -21,13 +21,18 @@ class AlBehaviorManager {
   void declareLists(rpc::Service& service);
   void declareRuns(rpc::Service& service);
   void declareDefaults(rpc::Service& service);
+  void declareInstallation(rpc::Service& service);
 
   Names installed() { return runner_->library().names(); }
   Names running() { return runner_->running(); }
   Names loaded() { return runner_->loaded(); }
   Names none() { return {}; }
+  Names tags() { return runner_->library().tags(); }
+  Names byTag(const std::string& tag) { return runner_->library().namesByTag(tag); }
+  Names tagsOf(const std::string& name) {
+    return runner_->library().at(runner_->fullName(name)).tags;
+  }
   Names defaults() { return defaults_; }
-  Names noneBy(const std::string& /*name*/) { return {}; }
   std::string getBehaviorNature(const std::string& name);
   std::string resolveBehaviorName(const std::string& name) { return runner_->fullName(name); }
   bool isInstalled(const std::string& name) { return !runner_->library().resolve(name).empty(); }
@@ -39,6 +44,10 @@ class AlBehaviorManager {
   void stopBehavior(const std::string& name) { runner_->load(name).stop(); }
   void stopAllBehaviors();
   bool preloadBehavior(const std::string& name);
+
+  bool install(const std::string& path);
+  bool installAs(const std::string& path, const std::string& name, bool overwrite);
+  bool remove(const std::string& name);
 
   void addDefault(const std::string& name);
   void removeDefault(const std::string& name);
@@ -54,6 +63,7 @@ void AlBehaviorManager::declare(rpc::Service& service) {
   declareLists(service);
   declareRuns(service);
   declareDefaults(service);
+  declareInstallation(service);
 }
 
 void AlBehaviorManager::declareLists(rpc::Service& service) {
@@ -65,13 +75,13 @@ void AlBehaviorManager::declareLists(rpc::Service& service) {
             "None: no behavior comes with the simulated robot's system.");
   addMethod(service, "getRunningBehaviors", this, &Self::running, "The behaviors that run.");
   addMethod(service, "getLoadedBehaviors", this, &Self::loaded, "The behaviors that were read.");
-  addMethod(service, "getTagList", this, &Self::none, "None: installed behaviors have no tags.");
-  addMethod(service, "getBehaviorsByTag", this, &Self::noneBy,
-            "None: installed behaviors have no tags.", rpc::Argument{"tag", "A tag."});
-  addMethod(service, "getBehaviorTags", this, &Self::noneBy,
-            "None: installed behaviors have no tags.", kName);
+  addMethod(service, "getTagList", this, &Self::tags,
+            "The tags that the manifests of the installed packages give their behaviors.");
+  addMethod(service, "getBehaviorsByTag", this, &Self::byTag, "The behaviors with a tag.",
+            rpc::Argument{"tag", "A tag."});
+  addMethod(service, "getBehaviorTags", this, &Self::tagsOf, "The tags of a behavior.", kName);
   addMethod(service, "getBehaviorNature", this, &Self::getBehaviorNature,
-            "Always 'interactive', what a behavior is that says nothing else.", kName);
+            "What its package's manifest says, else 'interactive'.", kName);
   addMethod(service, "resolveBehaviorName", this, &Self::resolveBehaviorName,
             "The full name of a behavior.", kName);
   for (const char* name : {"isBehaviorInstalled", "isBehaviorPresent"}) {
@@ -107,9 +117,21 @@ void AlBehaviorManager::declareDefaults(rpc::Service& service) {
             "Starts the default behaviors.");
 }
 
+void AlBehaviorManager::declareInstallation(rpc::Service& service) {
+  using Self = AlBehaviorManager;
+  const rpc::Argument path{"localPath", "A file of the robot."};
+  addMethod(service, "installBehavior", this, &Self::install,
+            "Fails: what is installed is told when the simulator is started.", path);
+  addMethod(service, "installBehavior", this, &Self::installAs,
+            "Fails: what is installed is told when the simulator is started.",
+            rpc::Argument{"absolutePath", "A file."}, path,
+            rpc::Argument{"overwrite", "Whether to replace one of that name."});
+  addMethod(service, "removeBehavior", this, &Self::remove,
+            "Ends and forgets a behavior until the next start; its file stays.", kName);
+}
+
 std::string AlBehaviorManager::getBehaviorNature(const std::string& name) {
-  runner_->fullName(name);
-  return "interactive";
+  return runner_->library().at(runner_->fullName(name)).nature;
 }
 
 rpc::Pending<void> AlBehaviorManager::runBehavior(const std::string& name) {
@@ -125,6 +147,24 @@ void AlBehaviorManager::stopAllBehaviors() {
 bool AlBehaviorManager::preloadBehavior(const std::string& name) {
   if (runner_->library().resolve(name).empty()) return false;
   runner_->load(name);
+  return true;
+}
+
+bool AlBehaviorManager::install(const std::string& path) {
+  throw rpc::CallError("\"" + path.substr(0, 200) +
+                       "\" can not be installed over the wire: start the simulator with "
+                       "--behaviors FOLDER, or send the text with ALFrameManager.newBehavior");
+}
+
+bool AlBehaviorManager::installAs(const std::string& path, const std::string& /*name*/,
+                                  bool /*overwrite*/) {
+  return install(path);
+}
+
+bool AlBehaviorManager::remove(const std::string& name) {
+  const std::string full_name = runner_->library().resolve(name);
+  if (!runner_->remove(name)) return false;
+  defaults_.erase(std::remove(defaults_.begin(), defaults_.end(), full_name), defaults_.end());
   return true;
 }
 

@@ -114,7 +114,7 @@ std::string AlFrameManager::newBehaviorFromFile(const std::string& file, const s
   }
   try {
     return add(name.empty() ? installed : name,
-               motion::loadMotion(library_->fileOf(installed), link_.model()));
+               motion::loadMotion(library_->at(installed).file, link_.model()));
   } catch (const InputError& error) {
     throw rpc::CallError(error.what());
   }

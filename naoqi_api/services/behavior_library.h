@@ -7,6 +7,13 @@
 
 namespace nao::services {
 
+/// What is known of an installed behavior.
+struct InstalledBehavior {
+  std::filesystem::path file;          // or folder
+  std::string nature = "interactive";  // of those whose package tells no other
+  std::vector<std::string> tags;       // from the package's manifest.xml
+};
+
 /// The behaviors that are installed on a robot: motion files below some folders of the host, by
 /// name. A folder with a behavior.xar is one behavior named after its path below the installed
 /// folder ("dances/macarena"), any other motion file one named after its path without ending
@@ -22,15 +29,22 @@ class BehaviorLibrary {
   /// before it left out, if only one behavior ends so. Empty if there is none.
   std::string resolve(const std::string& name) const;
 
-  /// The file or folder of a behavior by its full name.
-  const std::filesystem::path& fileOf(const std::string& full_name) const;
+  /// A behavior by its full name.
+  const InstalledBehavior& at(const std::string& full_name) const;
 
   std::vector<std::string> names() const;  // in order of the alphabet
+  std::vector<std::string> tags() const;   // of all of them, in order of the alphabet
+  std::vector<std::string> namesByTag(const std::string& tag) const;
+
+  /// Forgets a behavior by its full name; its file stays.
+  void remove(const std::string& full_name) { behaviors_.erase(full_name); }
 
  private:
+  void add(const std::string& name, const std::filesystem::path& file);
   void addTree(const std::filesystem::path& folder, const std::string& prefix, int depth);
+  void readManifest(const std::filesystem::path& folder, const std::string& prefix);
 
-  std::map<std::string, std::filesystem::path> behaviors_;
+  std::map<std::string, InstalledBehavior> behaviors_;
 };
 
 }  // namespace nao::services

@@ -7,7 +7,7 @@
 
 namespace nao::services {
 
-BehaviorRunner::BehaviorRunner(RobotLink& link, std::shared_ptr<const BehaviorLibrary> library,
+BehaviorRunner::BehaviorRunner(RobotLink& link, std::shared_ptr<BehaviorLibrary> library,
                                Hooks hooks)
     : link_(link), library_(std::move(library)), hooks_(std::move(hooks)) {}
 
@@ -24,7 +24,7 @@ Playback& BehaviorRunner::load(const std::string& name) {
   if (known != playbacks_.end()) return *known->second;
   motion::Timeline timeline;
   try {
-    timeline = motion::loadMotion(library_->fileOf(full_name), link_.model());
+    timeline = motion::loadMotion(library_->at(full_name).file, link_.model());
   } catch (const InputError& error) {
     throw rpc::CallError(error.what());
   }
@@ -35,6 +35,19 @@ Playback& BehaviorRunner::load(const std::string& name) {
   }
   auto playback = std::make_shared<Playback>(link_, std::move(timeline), [this] { tellRunning(); });
   return *playbacks_.emplace(full_name, std::move(playback)).first->second;
+}
+
+bool BehaviorRunner::remove(const std::string& name) {
+  const std::string full_name = library_->resolve(name);
+  if (full_name.empty()) return false;
+  const auto playback = playbacks_.find(full_name);
+  if (playback != playbacks_.end()) {
+    const auto kept = playback->second;  // until it has told that it ended
+    playbacks_.erase(playback);
+    kept->drop();
+  }
+  library_->remove(full_name);
+  return true;
 }
 
 bool BehaviorRunner::isLoaded(const std::string& name) const {

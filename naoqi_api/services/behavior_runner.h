@@ -21,7 +21,7 @@ class BehaviorRunner {
   };
 
   /// `link` must outlive it.
-  BehaviorRunner(RobotLink& link, std::shared_ptr<const BehaviorLibrary> library, Hooks hooks = {});
+  BehaviorRunner(RobotLink& link, std::shared_ptr<BehaviorLibrary> library, Hooks hooks = {});
 
   const BehaviorLibrary& library() const { return *library_; }
 
@@ -32,6 +32,9 @@ class BehaviorRunner {
   /// sentence names file and line.
   Playback& load(const std::string& name);
 
+  /// Ends a behavior and forgets it; false if there is none of that name.
+  bool remove(const std::string& name);
+
   bool isLoaded(const std::string& name) const;
   bool isRunning(const std::string& name) const;
   std::vector<std::string> loaded() const;
@@ -41,7 +44,7 @@ class BehaviorRunner {
   void tellRunning() const;
 
   RobotLink& link_;
-  std::shared_ptr<const BehaviorLibrary> library_;
+  std::shared_ptr<BehaviorLibrary> library_;
   Hooks hooks_;
   std::map<std::string, std::shared_ptr<Playback>> playbacks_;  // by full name
 };

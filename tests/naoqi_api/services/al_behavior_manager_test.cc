@@ -33,6 +33,11 @@ class Behaviors : public testing::Test {
     folder.write("Stand/left.motion", headTo("0.4"));
     folder.write("Stand/right.motion", headTo("-0.4"));
     folder.write("pack/behavior_1/behavior.xar", kScripted);
+    folder.write("pack/manifest.xml",
+                 "<package><contents><behaviorContent path=\"behavior_1\"><nature>solitary</nature>"
+                 "<tags><tag lang=\"en_US\">look</tag><tag>look around</tag></tags>"
+                 "</behaviorContent><behaviorContent path=\"gone\"/></contents></package>");
+    folder.write("Stand/manifest.xml", "no manifest");
     folder.write("broken.xar", "<ChoregrapheProject>\n<Box");
     folder.write("notes.txt", "no motion");
     auto library = std::make_shared<BehaviorLibrary>();
@@ -126,6 +131,32 @@ TEST_F(Behaviors, WhatIsWrongIsToldToTheClient) {
   const std::string broken = bench.errorOf(*manager, "startBehavior", {"broken"});
   EXPECT_NE(broken.find("broken.xar:2: no well-formed XML"), std::string::npos) << broken;
   EXPECT_FALSE(call("preloadBehavior", {"dance"}).to<bool>());
+}
+
+TEST_F(Behaviors, TagsAndNatureAreThoseOfThePackagesManifest) {
+  EXPECT_EQ(call("getTagList").to<Names>(), (Names{"look", "look around"}));
+  EXPECT_EQ(call("getBehaviorTags", {"pack"}).to<Names>(), (Names{"look", "look around"}));
+  EXPECT_EQ(call("getBehaviorsByTag", {"look around"}).to<Names>(), Names{"pack/behavior_1"});
+  EXPECT_TRUE(call("getBehaviorTags", {"look"}).to<Names>().empty());
+  EXPECT_EQ(*call("getBehaviorNature", {"pack"}).findText(), "solitary");
+  EXPECT_EQ(*call("getBehaviorNature", {"look"}).findText(), "interactive");
+  bench.call(*player, "runTag", {"look around"});
+  EXPECT_NEAR(yaw(), 30 * M_PI / 180, 1e-9);
+}
+
+TEST_F(Behaviors, ARemovedBehaviorEndsAndIsForgotten) {
+  const auto run = manager->call("runBehavior", {"look"});
+  call("addDefaultBehavior", {"look"});
+  bench.run(0.2);
+  EXPECT_TRUE(call("removeBehavior", {"look"}).to<bool>());
+  EXPECT_TRUE(run.isDone());
+  bench.run(1.5);
+  EXPECT_LT(yaw(), 0.2);
+  EXPECT_FALSE(call("isBehaviorInstalled", {"look"}).to<bool>());
+  EXPECT_TRUE(call("getDefaultBehaviors").to<Names>().empty());
+  EXPECT_FALSE(call("removeBehavior", {"look"}).to<bool>());
+  EXPECT_NE(bench.errorOf(*manager, "installBehavior", {"look"}).find("--behaviors"),
+            std::string::npos);
 }
 
 TEST_F(Behaviors, DefaultsAreStartedTogether) {
