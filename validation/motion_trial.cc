@@ -30,6 +30,7 @@ class MotionRun {
     ask(motion::WakeUp{});
     simulation_.advanceTo(SimTime(kWakingUp));
     record_.start = place();
+    const std::vector<Vec3> soles = calcSoles();
     ask(action);
     const SimTime end = SimTime(kWakingUp) + fromSeconds(seconds);
     while (simulation_.now() < end && !record_.fell && simulation_.world().healthy()) {
@@ -38,6 +39,10 @@ class MotionRun {
     }
     record_.fell = record_.fell || !simulation_.world().healthy();
     record_.end = place();
+    const Vec3 forward(std::cos(record_.start.theta), std::sin(record_.start.theta), 0);
+    for (std::size_t i = 0; i < soles.size(); ++i) {
+      record_.foot_moved.push_back(forward.dot(calcSoles()[i] - soles[i]));
+    }
     record_.hash = simulation_.hash();
     record_.draw = simulation_.world().draw();
     return std::move(record_);
@@ -56,6 +61,15 @@ class MotionRun {
 
   Pose2 place() {
     return runtime::calcFloorPose(model_, simulation_.world().scene().robots[0].X_WB);
+  }
+
+  std::vector<Vec3> calcSoles() {
+    std::vector<Vec3> p_WS;
+    const SceneFrame::Robot robot = simulation_.world().scene().robots[0];
+    for (const FootModel& foot : model_.feet) {
+      p_WS.push_back(robot.X_WB[static_cast<std::size_t>(foot.body)] * foot.X_BS.translation());
+    }
+    return p_WS;
   }
 
   void look() {

@@ -34,8 +34,9 @@ struct MotionRecord {
   std::vector<JointArray<double>> sensor;   // [rad] Position/Sensor/Value of the same moment
   std::vector<JointArray<double>> hinge;    // [rad] on the limb's side
   bool fell = false;
-  double max_tilt = 0;  // [rad] of the torso from upright
-  Pose2 start, end;     // where frame R really was
+  double max_tilt = 0;             // [rad] of the torso from upright
+  Pose2 start, end;                // where frame R really was
+  std::vector<double> foot_moved;  // [m] how far each sole went, forward as R headed at the start
   std::uint64_t hash = 0;
   std::map<std::string, double> draw;
 };

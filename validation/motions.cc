@@ -23,6 +23,7 @@ struct Subject {
   motion::MotionAction action;
   double seconds = 0;
   std::vector<std::string> shown;  // joints
+  std::optional<Foot> foot{};      // that steps, in a step
 };
 
 /// One roll command on the right ankle while that foot is in the air.
@@ -81,6 +82,11 @@ class Repetition {
     const Pose2 moved = relativeTo(record.start, record.end);
     distances_.push_back(std::hypot(moved.x, moved.y));
     forward_.push_back(moved.x);
+    if (subject_.foot) {
+      const std::size_t foot = *subject_.foot == Foot::Left ? 0 : 1;
+      steps_.push_back(record.foot_moved.at(foot));
+      stance_moved_.push_back(std::abs(record.foot_moved.at(1 - foot)));
+    }
     hash_ = combineHash(hash_, record.hash);
     tracking_.add(record);
     if (draw_.empty()) draw_ = record.draw;
@@ -111,8 +117,19 @@ class Repetition {
         {"max_tilt_deg", calcStatistics(tilts_)}, {"forward_distance_m", calcStatistics(forward_)},
         {"moved_m", calcStatistics(distances_)}};
     report.tables.push_back(std::move(table));
+    if (subject_.foot) addStep(report);
     report.remarks.push_back("Falls: " + std::to_string(falls_) + " of " +
                              std::to_string(settings_.runs) + ".");
+  }
+
+  void addStep(Report& report) const {
+    const Statistics step = calcStatistics(steps_);
+    const Statistics stance = calcStatistics(stance_moved_);
+    report.figures.push_back({"step_m", step});
+    report.figures.push_back({"stance_foot_moved_m", stance});
+    report.remarks.push_back(std::string(subject_.title) + ": the foot went " +
+                             fixed(step.mean, 4) + " m forward (sd " + fixed(step.sd, 4) +
+                             "), the other one " + fixed(stance.mean, 4) + " m.");
   }
 
   Picture plot() const {
@@ -148,6 +165,7 @@ class Repetition {
   Tracking tracking_;
   std::vector<MotionRecord> drawn_;
   std::vector<double> tilts_, distances_, forward_;
+  std::vector<double> steps_, stance_moved_;  // [m] of either foot, in a step
   int falls_ = 0;
   std::uint64_t hash_ = 0;
   std::map<std::string, double> draw_;
@@ -232,6 +250,8 @@ void addAnkle(const ExperimentSettings& settings, const motion::Timeline& timeli
   report.tables.push_back(std::move(table));
   report.figures.push_back({"ankle_roll_at_limit_deg", up.sensor});
   report.figures.push_back({"ankle_roll_at_lower_limit_deg", low.sensor});
+  report.figures.push_back({"ankle_roll_at_limit_hinge_deg", up.hinge});
+  report.figures.push_back({"ankle_roll_at_lower_limit_hinge_deg", low.hinge});
   report.figures.push_back({"ankle_roll_at_stop_deg", stop.hinge});
   report.figures.push_back({"ankle_roll_stop_table_max_deg", stop.stop});
   report.figures.push_back({"ankle_roll_table_max_deg", up.upper});
@@ -240,20 +260,37 @@ void addAnkle(const ExperimentSettings& settings, const motion::Timeline& timeli
 }
 
 Outcome repeatFile(const ExperimentSettings& settings, Subject subject, const std::string& file,
-                   const AnkleTest& test) {
+                   const std::optional<AnkleTest>& test) {
   const motion::Timeline timeline = loadShipped(settings, file, *loadRobot(settings));
   subject.action = playing(timeline);
   subject.seconds = timeline.length + kRest;
   Outcome outcome = Repetition(settings, std::move(subject)).take();
-  addAnkle(settings, timeline, test, outcome.report);
+  if (test) addAnkle(settings, timeline, *test, outcome.report);
   return outcome;
 }
 
-Outcome runKick(const ExperimentSettings& settings) {
-  Subject kick{
-      "kick", "Kick with the right foot", {}, 0, {"RKneePitch", "RAnklePitch", "RAnkleRoll"}};
+Outcome repeatKick(const ExperimentSettings& settings, const std::string& side) {
+  Subject kick{"kick",
+               side == "R" ? "Kick with the right foot" : "Kick with the left foot",
+               {},
+               0,
+               {side + "KneePitch", side + "AnklePitch", side + "AnkleRoll"}};
   // At the end of the back swing the ankle's pitch is -60 degrees.
-  return repeatFile(settings, std::move(kick), "kick_right.xar", {2.6, 3.6, 3.7, 10});
+  if (side == "R")
+    return repeatFile(settings, kick, "kick_right.xar", AnkleTest{2.6, 3.6, 3.7, 10});
+  return repeatFile(settings, kick, "kick_left.xar", {});
+}
+
+// The thesis has the right foot; of the left one only falls are told.
+Outcome runKick(const ExperimentSettings& settings) {
+  Outcome right = repeatKick(settings, "R");
+  const Report left = repeatKick(settings, "L").report;
+  for (const Figure& figure : left.figures) {
+    if (figure.name == "falls") right.report.figures.push_back({"left_foot_falls", figure.value});
+  }
+  right.report.remarks.push_back("With the left foot: " + left.remarks.back());
+  right.report.hash = combineHash(right.report.hash, left.hash);
+  return right;
 }
 
 Outcome runTaichi(const ExperimentSettings& settings) {
@@ -263,18 +300,42 @@ Outcome runTaichi(const ExperimentSettings& settings) {
                 0,
                 {"LHipRoll", "RHipRoll", "LHipYawPitch", "RAnkleRoll"}};
   // While the right leg is held to the side; the thesis' dance tells its ankle 45 degrees.
-  return repeatFile(settings, std::move(dance), "balance.xar", {14.1, 15.2, 15.3, 45});
+  return repeatFile(settings, std::move(dance), "balance.xar", AnkleTest{14.1, 15.2, 15.3, 45});
 }
 
+// One full step of the default gait with one leg; the other foot stays.
+Outcome repeatStep(const ExperimentSettings& settings, Foot foot) {
+  constexpr double kStep = 0.04;    // [m] the default gait's longest
+  constexpr double kBeside = 0.10;  // [m] between the feet of a standing Nao
+  constexpr double kPeriod = 0.42;  // [s] of a step at full frequency
+  constexpr double kSeconds = 3.0;  // [s] from standing to standing
+  const bool left = foot == Foot::Left;
+  motion::WalkSteps steps;
+  steps.steps = {{foot, {kStep, left ? kBeside : -kBeside, 0}, kPeriod}};
+  const std::string side = left ? "L" : "R";
+  Subject subject{"singlestep",
+                  left ? "A single step with the left leg" : "A single step with the right leg",
+                  std::move(steps),
+                  kSeconds,
+                  {side + "KneePitch", side + "HipRoll", side + "AnkleRoll"},
+                  foot};
+  return Repetition(settings, std::move(subject)).take();
+}
+
+// The thesis has the left leg; what the right one does stands in figures of its own.
 Outcome runSinglestep(const ExperimentSettings& settings) {
-  constexpr double kStep = 0.04;    // [m] one full step of the default gait
-  constexpr double kSeconds = 4.0;  // [s] from standing to standing
-  Subject step{"singlestep",
-               "A single step",
-               motion::MoveTo{{kStep, 0, 0}, {}, {}},
-               kSeconds,
-               {"LKneePitch", "LHipRoll", "LAnkleRoll"}};
-  return Repetition(settings, std::move(step)).take();
+  Outcome left = repeatStep(settings, Foot::Left);
+  Outcome right = repeatStep(settings, Foot::Right);
+  for (Figure& figure : right.report.figures) {
+    left.report.figures.push_back({"right_leg_" + figure.name, std::move(figure.value)});
+  }
+  for (TextTable& table : right.report.tables) left.report.tables.push_back(std::move(table));
+  for (std::string& remark : right.report.remarks) left.report.remarks.push_back(std::move(remark));
+  for (Panel& panel : right.picture.panels) left.picture.panels.push_back(std::move(panel));
+  left.picture.height += right.picture.height;
+  left.picture.title = "A single step with the left leg, and one with the right";
+  left.report.hash = combineHash(left.report.hash, right.report.hash);
+  return left;
 }
 
 Experiment make(const char* name, const char* summary, Outcome (*run)(const ExperimentSettings&)) {
@@ -291,7 +352,7 @@ Experiment make(const char* name, const char* summary, Outcome (*run)(const Expe
 }  // namespace
 
 Experiment kickExperiment() {
-  return make("kick", "A kick with the right foot: balance, joints, ankle (thesis figure 16).",
+  return make("kick", "A kick with either foot: balance, joints, ankle (thesis figure 16).",
               runKick);
 }
 
@@ -301,7 +362,8 @@ Experiment taichiExperiment() {
 }
 
 Experiment singlestepExperiment() {
-  return make("singlestep", "One step of the walk engine (thesis figure 22).", runSinglestep);
+  return make("singlestep", "One step of the walk engine, with each leg (thesis figure 22).",
+              runSinglestep);
 }
 
 }  // namespace nao::validation
