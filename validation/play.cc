@@ -12,6 +12,10 @@ namespace {
 using std::chrono_literals::operator""ms;
 
 constexpr Duration kSettling = 1000ms;  // free choice: a Nao put down stands still after 0.5 s
+constexpr double kPush = 45;            // [N] nearly a Nao's weight: no Nao stays on its feet
+constexpr Duration kPushing = 400ms;    // with that
+constexpr Duration kFalling = 2500ms;   // to the ground and at rest
+constexpr double kLyingDown = 1.5;      // [s] into the pose, on the ground
 constexpr const char* kFirst = "first";
 constexpr const char* kUsual = "StandInit";
 
@@ -23,17 +27,21 @@ const Posture& postureOf(const RobotModel& model, const std::string& name) {
                    "'; expected first or one of" + known);
 }
 
-JointArray<double> startOf(const motion::Timeline& timeline, const PlaySettings& settings) {
+const Posture& usualPosture(const RobotModel& model) {
+  const Posture* usual = model.findPosture(kUsual);
+  return usual ? *usual : postureOf(model, model.start_posture);
+}
+
+Posture startOf(const motion::Timeline& timeline, const PlaySettings& settings) {
   const RobotModel& model = *settings.model;
   const bool first = settings.from == kFirst;
-  if (!first && !settings.from.empty()) return postureOf(model, settings.from).angle;
-  const Posture* usual = model.findPosture(kUsual);
-  JointArray<double> angle = usual ? usual->angle : postureOf(model, model.start_posture).angle;
-  if (!first) return angle;
+  if (!first && !settings.from.empty()) return postureOf(model, settings.from);
+  Posture start = usualPosture(model);
+  if (!first) return start;
   for (const motion::Curve& curve : timeline.curves) {
-    if (!curve.keys.empty()) angle[curve.joint] = curve.keys.front().angle;
+    if (!curve.keys.empty()) start.angle[curve.joint] = curve.keys.front().angle;
   }
-  return angle;
+  return start;
 }
 
 class Stage {
@@ -49,9 +57,10 @@ class Stage {
     }
   }
 
-  Played run(const JointArray<double>& start, double hold) {
-    simulation_.world().placeRobot(0, simulation_.world().robot(0).start, &start);
-    stiffen();
+  Played run(const Posture& start, double hold) {
+    const bool lies = start.family == "LyingBack" || start.family == "LyingBelly";
+    put(lies ? standingFor(start) : start);
+    if (lies) layDown(start);
     simulation_.advanceTo(simulation_.now() + kSettling);
     begin_ = simulation_.now();
     begin();
@@ -59,7 +68,7 @@ class Stage {
     while (!played_.done && time() < longest && simulation_.world().healthy()) step();
     const double end = std::max(time(), timeline_.length) + hold;
     while (time() < end && simulation_.world().healthy()) step();
-    return finish(start);
+    return finish(start.angle);
   }
 
  private:
@@ -76,6 +85,44 @@ class Stage {
   motion::RequestId ask(motion::MotionAction action) {
     NAO_CHECK(ports().requests.post({++last_id_, std::move(action)}));
     return last_id_;
+  }
+
+  // On its soles, stiff.
+  void put(const Posture& posture) {
+    simulation_.world().placeRobot(0, simulation_.world().robot(0).start, &posture.angle);
+    stiffen();
+  }
+
+  // The legs as usual, the rest as it will lie: arms under a body have no room to move.
+  Posture standingFor(const Posture& posture) const {
+    Posture standing = usualPosture(model_);
+    for (const char* group : {"Head", "LArm", "RArm"}) {
+      const auto joints = model_.groups.find(group);
+      if (joints == model_.groups.end()) continue;
+      for (const std::string& name : joints->second) {
+        if (const auto j = model_.findJoint(name)) standing.angle[*j] = posture.angle[*j];
+      }
+    }
+    return standing;
+  }
+
+  // Nobody can put a robot down on its back: it is pushed over, and takes its pose where it lies.
+  void layDown(const Posture& posture) {
+    simulation_.advanceTo(simulation_.now() + kSettling);
+    const double heading = simulation_.world().robot(0).start.theta;
+    const double push = posture.family == "LyingBack" ? -kPush : kPush;
+    simulation_.world().push(0, {push * std::cos(heading), push * std::sin(heading), 0}, kPushing);
+    simulation_.advanceTo(simulation_.now() + kPushing + kFalling);
+    motion::Interpolate request;
+    request.smooth = true;
+    for (std::size_t j = 0; j < model_.jointCount(); ++j) {
+      motion::Key key;
+      key.time = kLyingDown;
+      key.angle = posture.angle[j];
+      request.curves.push_back({toJoint(j), {key}});
+    }
+    ask(request);
+    simulation_.advanceTo(simulation_.now() + fromSeconds(kLyingDown));
   }
 
   // One cycle limp, in which the commands take over where the joints are; then stiff.
@@ -152,7 +199,7 @@ class Stage {
 
 Played play(const motion::Timeline& timeline, const PlaySettings& settings,
             const PlayWatch& watch) {
-  const JointArray<double> start = startOf(timeline, settings);
+  const Posture start = startOf(timeline, settings);
   return Stage(timeline, settings, watch).run(start, settings.hold);
 }
 

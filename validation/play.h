@@ -24,7 +24,8 @@ struct PlaySettings {
   sim::Mode mode = sim::Mode::Implicit;
   std::uint64_t seed = 0;  // 0: none
   /// The pose the robot is put down in, at rest and stiff, before the motion begins; or "first":
-  /// that of the motion's first keys, other joints as in StandInit. Empty: StandInit, or the
+  /// that of the motion's first keys, other joints as in StandInit. Into a pose of those that lie
+  /// it is pushed over from its feet. Empty: StandInit, or the
   /// robot's start posture where it has no such.
   std::string from;
   double hold = 1.0;  // [s] watched after the end: long enough for a Nao to tip over

@@ -13,6 +13,7 @@
 #include "motion/timeline/pml.h"
 #include "motion/timeline/pos.h"
 #include "motion/timeline/qianim.h"
+#include "motion/timeline/route.h"
 #include "motion/timeline/webots_motion.h"
 #include "motion/timeline/xar.h"
 
@@ -37,6 +38,7 @@ constexpr Format kFormats[] = {
     {".mof", "motion_id", readMof},
     {".kfm", "keyFrameID", readKfm},
     {".json", "initial_positions", readHulks},
+    {".route", "", readRoute},
 };
 
 // Motions without joint angles.

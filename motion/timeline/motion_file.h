@@ -9,7 +9,7 @@ namespace nao::motion {
 
 /// Reads a motion from a file of any kind known here, chosen by its extension, or by how it begins
 /// where the extension says nothing: .xar, .crg, .qianim, Webots .motion, .kme (Kouretes), .pos
-/// (rUNSWift), .mof (B-Human), .kfm (Nao Devils), .json (HULKs), .pml
+/// (rUNSWift), .mof (B-Human), .kfm (Nao Devils), .json (HULKs), .route (our own), .pml
 /// (a package with one behavior), or a behavior's folder. What could not be played of it
 /// stands in the timeline's warnings.
 /// @throws InputError with file and line if it can not be read, is of an unknown kind, or holds no

@@ -115,6 +115,21 @@ TEST(Play, StartsInTheMotionsOwnFirstPoseWhenAsked) {
   EXPECT_FALSE(has(played, Kind::Torque));
 }
 
+TEST(Play, StartsOnItsBackOrBellyWhenAsked) {
+  PlaySettings settings = settingsFor("nao_h21_v33");
+  for (const char* posture : {"LyingBack", "LyingBelly"}) {
+    settings.from = posture;
+    const Played played = play(moveTo(*settings.model, 0.5, {{"HeadYaw", 0.3}}), settings);
+    EXPECT_GT(played.tracks.tilt.front(), 70 * M_PI / 180) << posture;
+    EXPECT_LT(played.tracks.height.front(), 0.12) << posture;
+    EXPECT_FALSE(played.fell) << posture;  // it lay from the beginning on
+    const auto shoulder = index(*settings.model->findJoint("LShoulderPitch"));
+    EXPECT_NEAR(played.tracks.sensed[shoulder].front(),
+                settings.model->findPosture(posture)->angle[shoulder], 0.1)
+        << posture;
+  }
+}
+
 TEST(Play, APoseTheRobotDoesNotHaveIsRefusedWithThoseItHas) {
   PlaySettings settings = settingsFor("nao_h21_v33");
   settings.from = "Handstand";

@@ -74,6 +74,18 @@ TEST_P(ShippedMotion, AsksNoJointForMoreThanItsSpeed) {
 INSTANTIATE_TEST_SUITE_P(Motions, ShippedMotion, testing::ValuesIn(shippedMotions()),
                          [](const auto& file) { return file.param.stem().string(); });
 
+TEST(ShippedMotions, RoutesEndInTheirPosture) {
+  const auto robot = test::robot("nao_h21_v33");
+  for (const char* file : {"stand_up_back.route", "stand_up_front.route"}) {
+    const Timeline timeline = loadMotion(std::string(NAO_SOURCE_DIR "/motions/") + file, *robot);
+    ASSERT_EQ(timeline.curves.size(), robot->jointCount()) << file;
+    for (const Curve& curve : timeline.curves) {
+      EXPECT_EQ(curve.keys.back().angle, robot->findPosture("Stand")->angle[curve.joint]) << file;
+      EXPECT_NEAR(curve.keys.back().time, timeline.length, 1e-9) << file;
+    }
+  }
+}
+
 TEST(ShippedMotions, KicksAndBalanceEndAsTheyBegan) {
   const auto robot = test::robot("nao_h21_v33");
   const JointArray<double>& start = robot->findPosture("StandInit")->angle;
