@@ -15,6 +15,7 @@ namespace {
 constexpr double kNear = 0.3;      // [rad] per leg joint
 constexpr double kArrived = 0.25;  // [rad] per joint
 constexpr double kUpright = 0.6;   // [rad] torso from the vertical
+constexpr double kLeaning = 0.8;   // [rad] likewise, of one that sits: Sit leans back by 33 degrees
 constexpr double kLying = 1.0;     // [rad]
 
 // A robot on its feet bears this part of the joints' top speed while its legs bend; above it the
@@ -26,19 +27,11 @@ constexpr double kUnhurriedFraction = 0.7;  // of that speed, when nobody asked 
 constexpr double kStiffenTime = 0.6;        // [s]
 constexpr double kRelaxTime = 0.3;          // [s]
 
-enum class Torso { Upright, OnBack, OnBelly, Tilted };
-
-Torso torsoOf(const SensorFrame& measured) {
-  if (measured.angle_y < -kLying) return Torso::OnBack;
-  if (measured.angle_y > kLying) return Torso::OnBelly;
+bool torsoIsAsIn(const Posture& posture, const SensorFrame& measured) {
+  if (posture.family == "LyingBack") return measured.angle_y < -kLying;
+  if (posture.family == "LyingBelly") return measured.angle_y > kLying;
   const double tilt = std::acos(std::cos(measured.angle_x) * std::cos(measured.angle_y));
-  return tilt < kUpright ? Torso::Upright : Torso::Tilted;
-}
-
-Torso torsoIn(const Posture& posture) {
-  if (posture.family == "LyingBack") return Torso::OnBack;
-  if (posture.family == "LyingBelly") return Torso::OnBelly;
-  return Torso::Upright;
+  return tilt < (posture.family == "Sitting" ? kLeaning : kUpright);
 }
 
 bool isOnFeet(const Posture& posture) {
@@ -129,7 +122,7 @@ bool legsAreNear(const RobotModel& model, const JointArray<double>& angle, const
 }
 
 bool isIn(const RobotModel& model, const SensorFrame& measured, const Posture& posture) {
-  if (!model.feet.empty() && torsoOf(measured) != torsoIn(posture)) return false;
+  if (!model.feet.empty() && !torsoIsAsIn(posture, measured)) return false;
   return distance(bodyJoints(model), measured.angle, posture.angle) < kArrived;
 }
 

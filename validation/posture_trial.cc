@@ -43,9 +43,9 @@ Arrival PostureTrial::goTo(const std::string& posture, int tries) {
   return arrival;
 }
 
-void PostureTrial::knockOver(double newton) {
+void PostureTrial::knockOver(double newton_x, double newton_y) {
   const Eigen::Rotation2Dd heading(trial_.here().truth.theta);
-  const Eigen::Vector2d force = heading * Eigen::Vector2d(newton, 0);
+  const Eigen::Vector2d force = heading * Eigen::Vector2d(newton_x, newton_y);
   trial_.simulation().world().push(0, {force.x(), force.y(), 0}, kPush);
   trial_.wait(kPush + kFalling);
   motion::SetStiffness stiff;

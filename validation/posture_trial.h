@@ -26,8 +26,9 @@ class PostureTrial {
   PostureTrial(const ExperimentSettings& settings, std::uint64_t seed);
 
   Arrival goTo(const std::string& posture, int tries = kTries);
-  /// A push at the torso that a standing robot can not bear; then all joints are stiff again.
-  void knockOver(double newton);
+  /// A push at the torso that a standing robot can not bear, along its own x and y axis; then all
+  /// joints are stiff again.
+  void knockOver(double newton_x, double newton_y);
   /// Whether the limbs and the torso, not their sensors, are as `posture` says.
   bool isReallyIn(const std::string& posture);
 

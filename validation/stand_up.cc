@@ -1,5 +1,6 @@
-// A Nao is knocked over onto its back and onto its belly and told to stand: does it, with which
-// try, and how long does it take? In every run with another friction of the floor and other masses.
+// A Nao is knocked over onto its back, its belly and to both sides and told to stand: does it, with
+// which try, and how long does it take? In every run with another friction of the floor and other
+// masses.
 #include <algorithm>
 #include <array>
 
@@ -13,11 +14,12 @@ constexpr double kPush = 45;  // [N] nearly its weight
 
 struct Side {
   std::string name;  // of the robot, that is down
-  double newton;     // forward
+  double x, y;       // [N] of the push
 };
-const std::array<Side, 2>& sides() {
-  static const std::array<Side, 2> both{Side{"back", -kPush}, Side{"front", kPush}};
-  return both;
+const std::array<Side, 4>& sides() {
+  static const std::array<Side, 4> all{Side{"back", -kPush, 0}, Side{"front", kPush, 0},
+                                       Side{"left", 0, kPush}, Side{"right", 0, -kPush}};
+  return all;
 }
 
 struct Run {
@@ -45,7 +47,7 @@ Run standUp(const ExperimentSettings& settings, int i, const Side& side, Report&
   if (report.draw.empty()) report.draw = draw;
   const auto friction = draw.find("nao.floor_friction.friction");
   if (friction != draw.end()) run.friction = friction->second;
-  trial.knockOver(side.newton);
+  trial.knockOver(side.x, side.y);
   run.arrival = trial.goTo("Stand");
   report.hash = combineHash(report.hash, trial.trial().simulation().hash());
   return run;
@@ -103,7 +105,7 @@ void addRows(const std::vector<Found>& all, Report& report) {
 }
 
 Picture plot(const std::vector<Found>& all) {
-  Picture picture{"Standing up", {}, 1, 900, 700};
+  Picture picture{"Standing up", {}, 2, 1200, 800};
   for (const Found& found : all) {
     Panel panel = makePanel("from the " + found.side, "friction of the floor", "time [s]");
     Series up{"stands", {}, {}, Look::Points, Ink::Blue};
@@ -146,7 +148,7 @@ Outcome run(const ExperimentSettings& settings) {
 
 Experiment standUpExperiment() {
   Experiment e = makeTrialExperiment(
-      "standup", "A Nao knocked over onto its back and its belly stands up.", run);
+      "standup", "A Nao knocked over onto its back, its belly or a side stands up.", run);
   e.defaults.runs = 20;
   return e;
 }
