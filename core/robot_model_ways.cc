@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <iterator>
+#include <set>
+#include <string>
 
 #include "core/robot_model_parts.h"
 
@@ -43,6 +46,21 @@ void readAngles(Config& angles, const RobotModel& model, std::vector<JointAngle>
   }
 }
 
+// What motion tells of any body (motion/posture_family.h); other families are the posture file's.
+constexpr const char* kBodyFamilies[] = {"Standing",  "Crouching",  "Sitting",
+                                         "Knee",      "LyingBack",  "LyingBelly",
+                                         "LyingLeft", "LyingRight", "Unknown"};
+
+void requireFamily(const std::string& family, Config& entry, const std::string& key,
+                   const RobotModel& model) {
+  std::set<std::string> known(std::begin(kBodyFamilies), std::end(kBodyFamilies));
+  for (const Posture& posture : model.postures) known.insert(posture.family);
+  if (known.count(family) > 0) return;
+  std::string all;
+  for (const std::string& name : known) all += (all.empty() ? "" : ", ") + name;
+  entry.reject(key, "families of postures (" + all + "), not " + family);
+}
+
 WayKey readKey(Config& config, const RobotModel& model) {
   WayKey key;
   key.time = config.number("time", kPositive);
@@ -50,6 +68,7 @@ WayKey readKey(Config& config, const RobotModel& model) {
     const std::vector<double> pitch = config.numbers("pitch", 2);
     key.pitch_low = pitch[0];
     key.pitch_high = pitch[1];
+    if (key.pitch_low >= key.pitch_high) config.reject("pitch", "a low angle and a higher one");
     key.patience = config.number("patience", kNotNegative);
   }
   config.map("angles", Config::Presence::Optional,
@@ -57,19 +76,29 @@ WayKey readKey(Config& config, const RobotModel& model) {
   return key;
 }
 
+Way readWay(Config& entry, const RobotModel& model) {
+  Way way;
+  way.name = entry.text("name");
+  const auto is_same = [&](const Way& other) { return other.name == way.name; };
+  if (std::any_of(model.ways.begin(), model.ways.end(), is_same)) {
+    entry.reject("name", "a name that no other way has");
+  }
+  way.from = entry.texts("from");
+  way.to = entry.text("to");
+  for (const std::string& family : way.from) requireFamily(family, entry, "from", model);
+  requireFamily(way.to, entry, "to", model);
+  entry.list("keys", Config::Presence::Required,
+             [&](Config& key) { way.keys.push_back(readKey(key, model)); });
+  if (way.keys.empty()) entry.reject("keys", "one key or more");
+  return way;
+}
+
 }  // namespace
 
 void readWays(const std::string& file, RobotModel& model) {
   Config::read(file, [&](Config& config) {
-    config.list("ways", Config::Presence::Required, [&](Config& entry) {
-      Way way;
-      way.name = entry.text("name");
-      way.from = entry.texts("from");
-      way.to = entry.text("to");
-      entry.list("keys", Config::Presence::Required,
-                 [&](Config& key) { way.keys.push_back(readKey(key, model)); });
-      model.ways.push_back(way);
-    });
+    config.list("ways", Config::Presence::Required,
+                [&](Config& entry) { model.ways.push_back(readWay(entry, model)); });
   });
 }
 

@@ -27,7 +27,8 @@ class BrokenRobot {
   /// Replaces the first `old_text` after `anchor` in `file`; remembers the line.
   BrokenRobot(const std::string& file, const std::string& anchor, const std::string& old_text,
               const std::string& new_text) {
-    for (const char* part : {"model.urdf", "body.yaml", "postures.yaml", "ways.yaml", "cameras.yaml"}) {
+    for (const char* part :
+         {"model.urdf", "body.yaml", "postures.yaml", "ways.yaml", "cameras.yaml"}) {
       std::string text = read(std::string(NAO_SOURCE_DIR "/robots/nao_h21_v33/") + part);
       if (file == part) text = replaced(text, anchor, old_text, new_text);
       folder_.write(std::string("broken/") + part, text);
@@ -209,11 +210,39 @@ TEST(BrokenRobot, CameraComplaintsNameTheLine) {
             "list");
 }
 
+TEST(BrokenRobot, WaysNameTheLineOfTheirFault) {
+  const std::string way = "name: LieBack";
+  const std::string families =
+      "Crouching, Knee, LyingBack, LyingBelly, LyingLeft, LyingRight, Sitting, Standing, Unknown";
+  EXPECT_EQ(complaintAbout("ways.yaml", way, "to: LyingBack", "to: Lying"),
+            "broken/ways.yaml:@: `to`: expected families of postures (" + families +
+                "), not Lying, found 'Lying'");
+  EXPECT_EQ(complaintAbout("ways.yaml", way, "[Sitting]", "[Sitting, Seated]"),
+            "broken/ways.yaml:@: `from`: expected families of postures (" + families +
+                "), not Seated, found a list");
+  EXPECT_EQ(complaintAbout("ways.yaml", way, "HipYawPitch: -0.3", "HipYawPich: -0.3"),
+            "broken/ways.yaml:@: `HipYawPich`: expected a joint of this robot, found '-0.3'");
+  EXPECT_EQ(complaintAbout("ways.yaml", way, "HipPitch: -1.0", "HipPitch: -2.0"),
+            "broken/ways.yaml:@: `HipPitch`: expected an angle in the range of LHipPitch, found "
+            "'-2.0'");
+  EXPECT_EQ(complaintAbout("ways.yaml", way, "time: 0.8", "time: -1"),
+            "broken/ways.yaml:@: `time`: expected a number above 0, found '-1'");
+  EXPECT_EQ(complaintAbout("ways.yaml", way, "time: 0.8\n", "patience: 1\n"),
+            "broken/ways.yaml:@: `time`: missing, expected a number above 0");
+  EXPECT_EQ(complaintAbout("ways.yaml", way, "time: 0.8",
+                           "pitch: [1, 0]\n        patience: 1\n        time: 0.8"),
+            "broken/ways.yaml:@: `pitch`: expected a low angle and a higher one, found a list");
+  EXPECT_EQ(complaintAbout("ways.yaml", way, "name: LieBack", "name: SitBackDown"),
+            "broken/ways.yaml:@: `name`: expected a name that no other way has, found "
+            "'SitBackDown'");
+}
+
 // A file cut off anywhere is refused with a sentence, or whole enough to load; nothing else.
 TEST(BrokenRobot, FilesCutOffAnywhereAreRefusedInASentence) {
   const std::string robot = NAO_SOURCE_DIR "/robots/nao_h21_v33/";
   const TemporaryFolder folder;
-  const std::vector<std::string> parts{"model.urdf", "body.yaml", "postures.yaml", "ways.yaml", "cameras.yaml"};
+  const std::vector<std::string> parts{"model.urdf", "body.yaml", "postures.yaml", "ways.yaml",
+                                       "cameras.yaml"};
   for (const std::string& part : parts) folder.write("cut/" + part, read(robot + part));
   for (const std::string& part : parts) {
     const std::string whole = read(robot + part);
