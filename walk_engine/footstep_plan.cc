@@ -122,7 +122,7 @@ int FootstepPlan::ticks(double seconds) const {
 }
 
 Vector2d FootstepPlan::zmpOf(const Pose2& sole, Foot foot) const {
-  const Pose2 point = compose(sole, {tuning_.zmp_x, sideOf(foot) * tuning_.zmp_y, 0});
+  const Pose2 point = compose(sole, {tuning_.zmp_x, sideOf(foot) * (tuning_.zmp_y - inset_), 0});
   return {point.x, point.y};
 }
 
@@ -249,6 +249,20 @@ void FootstepPlan::moveLanding(const Vector2d& by) {
   complete_ = false;
 }
 
+void FootstepPlan::setInset(double inset) {
+  if (inset == inset_) return;
+  inset_ = inset;
+  FeetPlaces feet = nextFeet();
+  for (std::size_t i = 1; i < steps_.size(); ++i) {
+    PlannedStep& step = steps_[i];
+    const Foot support = otherFoot(step.swing);
+    const bool rests = step.shift < step.double_support;  // between both feet
+    if (!rests) step.zmp_from = steps_[i - 1].zmp_to;
+    step.zmp_to = zmpOf(feet[index(support)], support);
+    feet[index(step.swing)] = step.to;
+  }
+}
+
 void FootstepPlan::advance(std::int64_t now, std::int64_t horizon) {
   while (!complete_ && end() <= horizon) complete_ = !append();
   while (!steps_.empty() && steps_.front().end() <= now) {
@@ -291,6 +305,7 @@ void FootstepPlan::archive(Archive& archive) {
   goal_.archive(archive);
   archive.value(feet_);
   archive.each(steps_, [&archive](PlannedStep& step) { step.archive(archive); });
+  archive.value(inset_);
   archive.value(complete_);
   archive.value(rest_first_);
   archive.value(begin_);

@@ -75,6 +75,10 @@ class FootstepPlan {
   /// Moves the landing under way by `by` [m]; all later steps follow from there.
   void moveLanding(const Eigen::Vector2d& by);
 
+  /// Under each foot that will carry the robot the zero moment point goes inward by so much [m]
+  /// beyond the tuning's. The step under way stays.
+  void setInset(double inset);
+
   /// Ends steps that are over at `now` and plans as far as `horizon`.
   void advance(std::int64_t now, std::int64_t horizon);
 
@@ -116,6 +120,7 @@ class FootstepPlan {
   Goal goal_;
   FeetPlaces feet_;
   std::vector<PlannedStep> steps_;  // the first may be under way
+  double inset_ = 0;                // [m]
   bool complete_ = true;            // the goal asks for no further steps
   bool rest_first_ = false;         // before the next step, the body comes to rest
   std::int64_t begin_ = 0;          // tick of the newest goal

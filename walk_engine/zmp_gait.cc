@@ -9,9 +9,11 @@
 #include "walk_engine/com_planner.h"
 #include "walk_engine/footstep_plan.h"
 #include "walk_engine/levelling.h"
+#include "walk_engine/rise.h"
 #include "walk_engine/servo_lead.h"
 #include "walk_engine/stance.h"
 #include "walk_engine/step_rules.h"
+#include "walk_engine/sway.h"
 #include "walk_engine/swing.h"
 
 namespace nao::walk {
@@ -23,8 +25,6 @@ using motion::Velocity2;
 constexpr double kGravity = 9.80665;  // [m/s^2]
 constexpr double kCommitted = 0.8;    // of a swing: later its landing stays; free, 0.7-0.9
 constexpr double kCatchSpeed = 1.0;   // [m/s] at which a landing moves at most; free
-constexpr double kMinRise = 0.1;      // [s] into the walking pose, at least
-constexpr double kRiseSpeed = 0.35;   // of a joint's top speed, on average at most
 constexpr double kOverlap = 0.4;      // [s] the rise may still take when the weight begins to move
 constexpr double kAtRest = 0.002;     // [m/s] of the centre of mass
 
@@ -33,16 +33,6 @@ JointArray<double> standingAngles(const RobotModel& model) {
   const Posture* stand = model.findPosture("StandInit");
   return stand ? stand->angle : JointArray<double>(model.jointCount(), 0.0);
 }
-
-double minimumJerk(double s) { return s * s * s * (10 + s * (6 * s - 15)); }
-
-/// The legs' way into the walking pose: what they were away from it fades.
-struct Rise {
-  JointArray<double> offset;  // [rad] at the start
-  int ticks = 0;
-  int done = 0;
-  int left() const { return ticks - done; }
-};
 
 class ZmpGait final : public motion::Gait {
  public:
@@ -68,8 +58,6 @@ class ZmpGait final : public motion::Gait {
 
   void pursue(const Goal& goal);
   void begin(const JointCommand& command);
-  void planRise(const JointArray<double>& now, const JointArray<double>& walking);
-  void rise(JointArray<double>& angle);
   void walk(const SensorFrame& measured, JointCommand& command);
   StanceDemand calcDemand() const;
   void pose(JointArray<double>& angle, bool resting);
@@ -95,6 +83,7 @@ class ZmpGait final : public motion::Gait {
   ServoLead servo_lead_;
   Balance balance_;
   Levelling levelling_;
+  Sway sway_;
   double com_height_;  // [m]
   ComPlanner com_;
   FootstepPlan plan_;
@@ -117,6 +106,7 @@ ZmpGait::ZmpGait(std::shared_ptr<const RobotModel> model, const Tuning& tuning)
       servo_lead_(model_),
       balance_(*model_, tuning),
       levelling_(*model_, tuning),
+      sway_(tuning),
       com_height_(
           stance_.calcComHeight(tuning.knee_bend, tuning.torso_pitch, standingAngles(*model_))),
       com_(*model_, tuning, dt_),
@@ -191,34 +181,16 @@ void ZmpGait::begin(const JointCommand& command) {
   com_.reset(com_height_, plan_.calcZmp(tick_), tick_);
   JointArray<double> walking = command.angle;
   pose(walking, true);
-  planRise(command.angle, walking);
+  rise_.plan(*model_, command.angle, walking, dt_);
   for (std::size_t i = 0; i < 2; ++i) {
     if (shoulder_[i]) shoulder_rest_[i] = command.angle[*shoulder_[i]];
   }
   phase_ = Phase::Rising;
 }
 
-void ZmpGait::planRise(const JointArray<double>& now, const JointArray<double>& walking) {
-  double seconds = kMinRise;
-  rise_.offset = now;
-  for (std::size_t i = 0; i < now.size(); ++i) {
-    rise_.offset[i] -= walking[i];
-    const double speed = kRiseSpeed * model_->actuators[i].max_velocity;
-    if (speed > 0) seconds = std::max(seconds, std::abs(rise_.offset[i]) / speed);
-  }
-  rise_.done = 0;
-  rise_.ticks = static_cast<int>(std::lround(seconds / dt_));
-}
-
-void ZmpGait::rise(JointArray<double>& angle) {
-  if (rise_.left() == 0) return;
-  ++rise_.done;
-  const double rest = 1 - minimumJerk(static_cast<double>(rise_.done) / rise_.ticks);
-  for (std::size_t i = 0; i < angle.size(); ++i) angle[i] += rest * rise_.offset[i];
-}
-
 void ZmpGait::walk(const SensorFrame& measured, JointCommand& command) {
   ++tick_;
+  plan_.setInset(sway_.inset());
   if (phase_ == Phase::Rising && rise_.left() * dt_ <= kOverlap) {
     phase_ = Phase::Walking;
     plan_.follow(goal_, tick_);
@@ -230,7 +202,7 @@ void ZmpGait::walk(const SensorFrame& measured, JointCommand& command) {
   const JointArray<double> last = command.angle;
   swingArms(command);
   pose(command.angle, false);
-  rise(command.angle);
+  rise_.apply(command.angle);
   balance(measured, command.angle);
   limitSpeed(last, command.angle);
   position_ = robotPlace({placeOf(Foot::Left), placeOf(Foot::Right)});
@@ -318,7 +290,9 @@ void ZmpGait::pose(JointArray<double>& angle, bool resting) {
 
 // What the sensors say of the body, into the ankles.
 void ZmpGait::balance(const SensorFrame& measured, JointArray<double>& angle) {
-  levelling_.learn(measured.angle_y - calcDemand().pitch, standing(), dt_);
+  const StanceDemand demand = calcDemand();
+  levelling_.learn(measured.angle_y - demand.pitch, standing(), dt_);
+  sway_.watch(measured.angle_x - demand.roll, standing());
   levelling_.apply(angle);
   balance_.apply(measured.gyroscope, standing(), angle);
 }
@@ -372,15 +346,14 @@ void ZmpGait::archive(Archive& archive) {
   stance_.archive(archive);
   servo_lead_.archive(archive);
   levelling_.archive(archive);
+  sway_.archive(archive);
   archive.value(com_height_);
   plan_.archive(archive);
   archive.value(phase_);
   goal_.archive(archive);
   archive.value(tick_);
   archive.value(now_);
-  archive.value(rise_.offset);
-  archive.value(rise_.ticks);
-  archive.value(rise_.done);
+  rise_.archive(archive);
   com_.archive(archive);
   archive.value(position_);
   archive.value(shoulder_rest_);

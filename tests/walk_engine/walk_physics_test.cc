@@ -197,6 +197,17 @@ TEST(WalkOnSolesOutOfLevel, KeepsItsHeading) {
   }
 }
 
+// With these joint zeros the sway grows from step to step unless the pressure answers.
+TEST(WalkThatSways, DoesNotGetOutOfStep) {
+  Trial trial("nao_h25_v60", "StandInit", {}, {}, 11);
+  trial.gait().walkTo({0.48, 0, 0}, GaitConfig());
+  trial.runToEnd();
+  SCOPED_TRACE(trial.summary());
+  EXPECT_FALSE(trial.fallen());
+  EXPECT_LT(std::abs(trial.truth().theta), 12 * kDegree);  // the worst of 30 drawn walks
+  EXPECT_NEAR(trial.truth().x, 0.48, 0.05 * 0.48);
+}
+
 TEST_P(WalkPhysics, StandsAPushWhileWalking) {
   for (const double angle : {0.0, 90.0, 180.0, 270.0}) {
     for (int phase = 0; phase < 6; ++phase) {
