@@ -6,10 +6,11 @@
 namespace nao::motion {
 namespace {
 
-constexpr double kDamping = 1e-6;   // [m^2] bends paths near singular poses only
-constexpr double kHeld = 1e6;       // weight of an exact task where the equality can not be met
-constexpr double kFarthest = 0.05;  // [m] longest error that is linear enough for one step
-constexpr double kRecovery = 0.1;   // [m/s] free: a centre of mass outside comes in at this speed
+constexpr double kDamping = 1e-6;    // [m^2] bends paths near singular poses only
+constexpr double kHeld = 1e6;        // weight of an exact task where the equality can not be met
+constexpr double kFarthest = 0.05;   // [m] longest error that is linear enough for one step
+constexpr double kSlopeStep = 1e-3;  // [rad] far below the distance of a table's rows
+constexpr double kRecovery = 0.1;    // [m/s] free: a centre of mass outside comes in at this speed
 
 // The rotation vector of `rotation`.
 Vec3 turnOf(const Mat3& rotation) {
@@ -150,6 +151,26 @@ void BodySolver::addRanges(const JointArray<double>& angle) {
     addRow(row, std::min(0.0, motor.lower - angle[columns_[i]]));
     addRow(-row, std::min(0.0, angle[columns_[i]] - motor.upper));
   }
+  for (const CoupledLimit& limit : model_->coupled_limits) addCoupled(limit, angle);
+}
+
+// A range that another joint's angle gives, along its slope there.
+void BodySolver::addCoupled(const CoupledLimit& limit, const JointArray<double>& angle) {
+  const int limited = column_of_[index(limit.limited)];
+  if (limited < 0) return;
+  const auto [low, high] = limit.rangeAt(angle[limit.driver]);
+  Eigen::RowVectorXd above = Eigen::RowVectorXd::Zero(static_cast<long>(columns_.size()));
+  above[limited] = 1;
+  Eigen::RowVectorXd below = -above;
+  const int driver = column_of_[index(limit.driver)];
+  if (driver >= 0) {
+    const auto before = limit.rangeAt(angle[limit.driver] - kSlopeStep);
+    const auto behind = limit.rangeAt(angle[limit.driver] + kSlopeStep);
+    above[driver] = -(behind.first - before.first) / (2 * kSlopeStep);
+    below[driver] = (behind.second - before.second) / (2 * kSlopeStep);
+  }
+  addRow(above, std::min(0.0, low - angle[limit.limited]));
+  addRow(below, std::min(0.0, angle[limit.limited] - high));
 }
 
 void BodySolver::finishRows(int equalities) {

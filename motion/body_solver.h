@@ -37,7 +37,8 @@ struct ComTask {
 
 /// Generalized inverse kinematics, one control cycle at a time, as a QP over the joints' steps dq:
 ///   minimize  sum w |J dq - e|^2 + sum w_j (q_j + dq_j - wish_j)^2 + damping |dq|^2
-///   subject to J dq = e of exact tasks, joint ranges, the centre of mass inside its polygon,
+///   subject to J dq = e of exact tasks, joint ranges (those that depend on another joint too), the
+///   centre of mass inside its polygon,
 /// and the solution scaled as a whole so that no joint is faster than allowed. Everything is seen
 /// from a place of the body itself (the torso, a supporting sole): the body needs no place in the
 /// world. dq = 0 is always allowed: what can not be met is met as far as it can.
@@ -80,6 +81,7 @@ class BodySolver {
   void addPlace(const PlaceTask& task, bool exact);
   void addCom(const Demand& demand, bool recover);
   void addRanges(const JointArray<double>& angle);
+  void addCoupled(const CoupledLimit& limit, const JointArray<double>& angle);
   void addRow(const Eigen::RowVectorXd& row, double bound);
   void finishRows(int equalities);
 

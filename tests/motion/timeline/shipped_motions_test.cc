@@ -77,7 +77,8 @@ INSTANTIATE_TEST_SUITE_P(Motions, ShippedMotion, testing::ValuesIn(shippedMotion
 TEST(ShippedMotions, RoutesEndInTheirPosture) {
   const auto robot = test::robot("nao_h21_v33");
   for (const char* file : {"stand_up_back.route", "stand_up_front.route"}) {
-    const Timeline timeline = loadMotion(std::string(NAO_SOURCE_DIR "/motions/") + file, *robot);
+    const Timeline timeline =
+        loadMotion(std::string(NAO_SOURCE_DIR "/robots/nao_h21_v33/motions/") + file, *robot);
     ASSERT_EQ(timeline.curves.size(), robot->jointCount()) << file;
     for (const Curve& curve : timeline.curves) {
       EXPECT_EQ(curve.keys.back().angle, robot->findPosture("Stand")->angle[curve.joint]) << file;
