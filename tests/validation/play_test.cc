@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/check.h"
+#include "motion/timeline/motion_file.h"
 #include "validation/play_report.h"
 
 namespace nao::validation {
@@ -113,6 +114,18 @@ TEST(Play, StartsInTheMotionsOwnFirstPoseWhenAsked) {
   const Played played = play(timeline, settings);
   EXPECT_FALSE(has(played, Kind::Velocity));
   EXPECT_FALSE(has(played, Kind::Torque));
+}
+
+TEST(Play, TheShippedSitEndsOnTheSeatAndNotOnTheBack) {
+  PlaySettings settings = settingsFor("nao_h21_v33");
+  const auto timeline = motion::loadMotion(NAO_SOURCE_DIR "/motions/sit.xar", *settings.model);
+  for (const std::uint64_t seed : {0, 1, 2, 3}) {
+    settings.seed = seed;
+    const Played played = play(timeline, settings);
+    EXPECT_FALSE(played.fell) << seed;
+    EXPECT_LT(played.tracks.height.back(), 0.14) << seed;  // [m] of a torso on the seat
+    EXPECT_LT(played.tracks.tilt.back(), 0.3) << seed;
+  }
 }
 
 TEST(Play, StartsOnItsBackOrBellyWhenAsked) {
