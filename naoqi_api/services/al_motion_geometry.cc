@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "motion/support_polygon.h"
 #include "naoqi_api/services/naoqi_method.h"
 
 namespace nao::services {
@@ -11,6 +12,10 @@ namespace {
 constexpr int kFrameTorso = 0;
 constexpr int kFrameWorld = 1;
 constexpr int kFrameRobot = 2;
+
+constexpr double kLifted =
+    0.01;  // [m] free choice: a sole higher than the other by this is in the air
+constexpr double kWeight = 1.0;  // [N] on a foot: above what its force sensors read in the air
 
 void checkSpace(int space) {
   if (space < kFrameTorso || space > kFrameRobot) {
@@ -68,6 +73,12 @@ void AlMotionGeometry::declare(rpc::Service& service) {
             rpc::Argument{"pSpace", space.meaning},
             rpc::Argument{"pUseSensorValues", sensors.meaning})
       .at(264);
+  addMethod(
+      service, "getSupportPolygon", this, &Self::getSupportPolygon,
+      "The corners [x, y] [m] of the ground between the feet that stand, counter-clockwise: "
+      "those that feel weight, or whose soles are lowest.",
+      rpc::Argument{"pSpace", space.meaning},
+      rpc::Argument{"pUseSensorValues", "True: measured joints and forces, false: commands."});
 }
 
 void AlMotionGeometry::update(bool use_sensors) {
@@ -136,6 +147,45 @@ rpc::Pending<std::vector<float>> AlMotionGeometry::getCom(const std::string& nam
     const Vec3 com = poseOfTorsoIn(space) * com_T;
     return std::vector<float>{static_cast<float>(com.x()), static_cast<float>(com.y()),
                               static_cast<float>(com.z())};
+  });
+}
+
+std::vector<std::size_t> AlMotionGeometry::standingFeet(bool use_sensors) const {
+  const RobotModel& model = link_.model();
+  std::vector<std::size_t> standing;
+  for (std::size_t i = 0; i < model.feet.size() && i < 2; ++i) {
+    const auto height = [&](std::size_t foot) {
+      const FootModel& sole = model.feet[foot];
+      return (poseOfTorsoIn(kFrameRobot) * kinematics_.calcPose({sole.body, sole.X_BS}))
+          .translation()
+          .z();
+    };
+    const std::size_t other = model.feet.size() == 2 ? 1 - i : i;
+    const bool stands = use_sensors ? link_.sensors()->feet[i].total > kWeight
+                                    : height(i) < height(other) + kLifted;
+    if (stands) standing.push_back(i);
+  }
+  return standing;
+}
+
+rpc::Pending<std::vector<std::vector<float>>> AlMotionGeometry::getSupportPolygon(
+    int space, bool use_sensors) {
+  checkSpace(space);
+  return link_.whenSettled([this, space, use_sensors] {
+    update(use_sensors);
+    motion::Polygon points;
+    for (const std::size_t i : standingFeet(use_sensors)) {
+      const FootModel& foot = link_.model().feet[i];
+      const Pose X_FS = poseOfTorsoIn(space) * kinematics_.calcPose({foot.body, foot.X_BS});
+      for (const auto& corner : foot.outline) {
+        points.push_back((X_FS * Vec3(corner.x(), corner.y(), 0)).head<2>());
+      }
+    }
+    std::vector<std::vector<float>> corners;
+    for (const Eigen::Vector2d& corner : motion::calcHull(points)) {
+      corners.push_back({static_cast<float>(corner.x()), static_cast<float>(corner.y())});
+    }
+    return corners;
   });
 }
 

@@ -22,9 +22,11 @@ class AlMotionGeometry {
   rpc::Pending<std::vector<float>> getTransform(const std::string& name, int space,
                                                 bool use_sensors);
   rpc::Pending<std::vector<float>> getCom(const std::string& name, int space, bool use_sensors);
+  rpc::Pending<std::vector<std::vector<float>>> getSupportPolygon(int space, bool use_sensors);
   float getMass(const std::string& name);
 
   void update(bool use_sensors);
+  std::vector<std::size_t> standingFeet(bool use_sensors) const;
   Pose poseOfTorsoIn(int space) const;  // X_FT for the space F
   Pose calcPose(const motion::Effector& place, int space, bool use_sensors);
 

@@ -13,7 +13,8 @@ const Argument kPartX{"x", "Part of the largest step forward, -1 to 1."};
 const Argument kPartY{"y", "Part of the largest step to the left, -1 to 1."};
 const Argument kPartTheta{"theta", "Part of the largest turn to the left, -1 to 1."};
 const Argument kFrequency{"frequency", "Part of the highest step frequency, 0 to 1."};
-const Argument kTime{"time", "How long the way is to take [s]."};
+const Argument kTime{
+    "time", "How long the way is to take [s], for robots on wheels; steps take their own time."};
 const Argument kConfig{"moveConfig", "[[name, value], ...], for instance [[\"MaxStepX\", 0.06]]."};
 const Argument kPoints{"controlPoint", "[x, y, theta] or a list of those, in the robot's frame."};
 

@@ -52,6 +52,26 @@ TEST_F(AlMotionGeometryTest, MassesAddUp) {
   EXPECT_NEAR(massOf("Body"), 4.88, 0.1);  // [kg] nao_spec
 }
 
+TEST_F(AlMotionGeometryTest, TheSupportPolygonLiesAroundTheFeetThatStand) {
+  bench.call(*motion, "wakeUp", {});
+  const auto corners = [&](bool by_sensors) {
+    return bench.call(*motion, "getSupportPolygon", {2, by_sensors})
+        .to<std::vector<std::vector<float>>>();
+  };
+  const auto both = corners(false);
+  ASSERT_GE(both.size(), 4u);
+  float left = 0, right = 0;
+  for (const auto& corner : both) {
+    ASSERT_EQ(corner.size(), 2u);
+    left = std::max(left, corner[1]);
+    right = std::min(right, corner[1]);
+  }
+  EXPECT_NEAR(left, 0.10F, 0.015F);  // [m] the outer edges of a standing Nao's feet
+  EXPECT_NEAR(right, -0.10F, 0.015F);
+  bench.call(*motion, "angleInterpolation", {"LKneePitch", 1.2F, 1.0F, true});
+  for (const auto& corner : corners(false)) EXPECT_LT(corner[1], 0.0F);  // of the right foot alone
+}
+
 TEST_F(AlMotionGeometryTest, TheCentreOfMassIsAboveTheFeet) {
   bench.call(*motion, "wakeUp", {});
   const Floats com = floats("getCOM", {"Body", 2, false});
