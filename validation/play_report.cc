@@ -50,6 +50,17 @@ Tracking trackingOf(const PlayTracks& tracks, std::size_t joint) {
   return found;
 }
 
+// A joint that stands still is a line, not its encoder's noise from edge to edge.
+void widen(Panel& panel, const std::vector<double>& asked, const std::vector<double>& sensed) {
+  constexpr double kNarrowest = 4;  // [deg]
+  const auto [a, b] = std::minmax_element(asked.begin(), asked.end());
+  const auto [c, d] = std::minmax_element(sensed.begin(), sensed.end());
+  const double low = std::min(*a, *c), high = std::max(*b, *d);
+  if (high - low >= kNarrowest) return;
+  const double middle = std::round((low + high) / 2);
+  panel.y_range = {middle - kNarrowest / 2 - 1, middle + kNarrowest / 2 + 1};
+}
+
 void addFaults(const RobotModel& model, const Played& played, Report& report) {
   for (const MotionFault::Kind kind : kKinds) {
     const auto count = std::count_if(played.faults.begin(), played.faults.end(),
@@ -151,11 +162,13 @@ Picture drawTracking(const RobotModel& model, const Played& played, const std::s
       sensed.x.push_back(tracks.time[i]);
       sensed.y.push_back(tracks.sensed[index(*joint)][i] / kDegree);
     }
+    panel.key = "tmargin right horizontal";  // above the plot, where it hides no curve
+    widen(panel, asked.y, sensed.y);
     panel.series = {std::move(asked), std::move(sensed)};
     picture.panels.push_back(std::move(panel));
   }
   const int rows = (static_cast<int>(picture.panels.size()) + 1) / 2;
-  picture.height = 60 + 240 * rows;
+  picture.height = 60 + 270 * rows;
   return picture;
 }
 
