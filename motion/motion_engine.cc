@@ -4,7 +4,9 @@
 #include <iterator>
 
 #include "core/check.h"
-#include "motion/fall_detector.h"
+#include "motion/collision_guard.h"
+#include "motion/fall_manager.h"
+#include "motion/ground_sense.h"
 #include "motion/idle.h"
 #include "motion/limits.h"
 #include "motion/phases.h"
@@ -47,6 +49,9 @@ class MotionEngine::Impl {
   void take(RequestId id, const SetMoveArms& request);
   void take(RequestId id, const SetIdle& request);
   void take(RequestId id, const SetBreath& request);
+  void take(RequestId id, const SetCollisionProtection& request);
+  void take(RequestId id, const SetFallManager& request);
+  void take(RequestId id, const SetWalkProtection& request);
   void take(RequestId id, const Kill& request);
   void take(RequestId id, const KillAll& request);
   void take(RequestId id, const InterpolatePoses& request);
@@ -59,6 +64,8 @@ class MotionEngine::Impl {
     done(id);
   }
 
+  void senseBalance(const SensorFrame& measured);
+  void protectFromFall();
   void walk(RequestId id, const WalkOrder& order);
   void addWholeBody(RequestId id, const char* name, std::unique_ptr<Phase> phase);
   void report(RequestId id, MotionOutcome::Kind kind, std::string reason = {});
@@ -78,7 +85,9 @@ class MotionEngine::Impl {
   Walking walking_;
   WholeBody whole_body_;
   Idle idle_;
-  FallDetector fall_;
+  FallManager fall_;
+  GroundSense ground_;
+  CollisionGuard guard_;
   SimTime time_{};
   RequestId last_accepted_;
   std::vector<MotionOutcome> outcomes_;
@@ -95,6 +104,7 @@ MotionEngine::Impl::Impl(std::shared_ptr<const RobotModel> model, std::unique_pt
       walking_(*model_, std::move(gait)),
       whole_body_(model_),
       idle_(*model_),
+      guard_(*model_),
       last_accepted_(last_accepted) {
   if (const Posture* start = model_->findPosture(model_->start_posture)) {
     body_.angle = start->angle;
@@ -220,6 +230,22 @@ void MotionEngine::Impl::take(RequestId id, const SetBreath& request) {
   done(id);
 }
 
+void MotionEngine::Impl::take(RequestId id, const SetCollisionProtection& request) {
+  guard_.enable(0, request.left);
+  guard_.enable(1, request.right);
+  done(id);
+}
+
+void MotionEngine::Impl::take(RequestId id, const SetFallManager& request) {
+  fall_.enable(request.on);
+  done(id);
+}
+
+void MotionEngine::Impl::take(RequestId id, const SetWalkProtection& request) {
+  walking_.setProtection(request);
+  done(id);
+}
+
 void MotionEngine::Impl::take(RequestId id, const Kill& request) {
   if (!walking_.stopRequest(request.id) && !schedule_.kill(request.id) &&
       body_.stiffness.kill(request.id)) {
@@ -258,10 +284,9 @@ JointCommand MotionEngine::Impl::update(const SensorFrame& measured) {
   // What is sensed: tilt, and limp joints, whose commands follow the body.
   time_ = measured.time;
   body_.measured = measured;
-  if (!model_->feet.empty()) fall_.update(measured, dt_);
-  body_.upright = !fall_.falling() && !fall_.fallen();
-  if (!body_.upright && walking_.ordered()) walking_.kill("the robot fell");
+  if (!model_->feet.empty()) senseBalance(measured);
   followSensors(limpJoints());
+  const JointArray<double> last = body_.angle;
 
   // What was asked for: booked motions, setpoints, stiffness, and the walk over both.
   const JointArray<double> before = body_.angle;
@@ -286,9 +311,32 @@ JointCommand MotionEngine::Impl::update(const SensorFrame& measured) {
   // What the body can do.
   followSensors(limp);
   clipToLimits(*model_, allJoints(*model_) & ~limp, body_.angle);
+  guard_.apply(last, dt_, body_.angle);
   if (limp == allJoints(*model_)) body_.awake = false;
   collectOutcomes();
   return {body_.angle, body_.stiffness.value()};
+}
+
+void MotionEngine::Impl::senseBalance(const SensorFrame& measured) {
+  const bool falls = fall_.update(measured, dt_);
+  ground_.update(measured, dt_);
+  body_.grounded = ground_.grounded();
+  body_.upright = !fall_.falling() && !fall_.fallen();
+  if (!body_.upright && walking_.ordered()) walking_.kill("the robot fell");
+  if (falls) protectFromFall();
+}
+
+void MotionEngine::Impl::protectFromFall() {
+  // Who goes to a posture may lie down on purpose, or get up; a limp robot has nothing to protect.
+  const std::vector<Task> tasks = schedule_.tasks();
+  const auto goes_to_posture = [](const Task& task) { return task.name == "goToPosture"; };
+  if (std::any_of(tasks.begin(), tasks.end(), goes_to_posture)) return;
+  if (limpJoints() == allJoints(*model_)) return;
+  schedule_.killAll();
+  setpoints_.clear(allJoints(*model_));
+  for (const RequestId run : body_.stiffness.killAll()) report(run, MotionOutcome::Kind::Killed);
+  schedule_.add(
+      {0, "fallManager", allJoints(*model_), protectivePose(*model_, body_.measured), false});
 }
 
 JointSet MotionEngine::Impl::limpJoints() const {
@@ -315,6 +363,9 @@ MotionState MotionEngine::Impl::state() const {
   state.tasks = schedule_.tasks();
   state.falling = fall_.falling();
   state.fallen = fall_.fallen();
+  for (std::size_t arm = 0; arm < CollisionGuard::kArms; ++arm) {
+    state.arms[arm] = guard_.nearness(arm);
+  }
   if (const Gait* gait = walking_.gait()) {
     state.position = gait->position();
     state.next_position = gait->nextPosition();
@@ -360,6 +411,8 @@ void MotionEngine::Impl::archive(Archive& archive) {
   whole_body_.archive(archive);
   idle_.archive(archive);
   fall_.archive(archive);
+  ground_.archive(archive);
+  guard_.archive(archive);
   archive.value(time_);
 }
 

@@ -123,6 +123,23 @@ struct SetBreath {
   double amplitude = 0.5;        // 0 to 1
 };
 
+/// Whether the commands of an arm keep out of the body; both do until told otherwise.
+struct SetCollisionProtection {
+  bool left = true;
+  bool right = true;
+};
+
+/// Whether a fall ends in a protective pose and limp joints; it does until told otherwise.
+struct SetFallManager {
+  bool on = true;
+};
+
+/// Whether a walk demands ground under a foot, and stiff legs; it does until told otherwise.
+struct SetWalkProtection {
+  bool foot_contact = true;
+  bool stiffness = true;
+};
+
 /// Ends one request (kill, cancel) or all of them; joints keep their last command, a walk comes to
 /// a stand.
 struct Kill {
@@ -133,9 +150,9 @@ struct KillAll {};
 using MotionAction =
     std::variant<SetAngles, Interpolate, InterpolateWithSpeed, SetStiffness, InterpolateStiffness,
                  WakeUp, Rest, GoToPosture, MoveTo, Move, MoveToward, MoveInit, StopMove, KillMove,
-                 SetMoveArms, SetIdle, SetBreath, Kill, KillAll, InterpolatePoses, SetPoses,
-                 WalkSteps, WbEnable, WbFootState, WbBalance, WbGoToBalance, WbEffector,
-                 WbEffectorTarget, WbOptimize>;
+                 SetMoveArms, SetIdle, SetBreath, SetCollisionProtection, SetFallManager,
+                 SetWalkProtection, Kill, KillAll, InterpolatePoses, SetPoses, WalkSteps, WbEnable,
+                 WbFootState, WbBalance, WbGoToBalance, WbEffector, WbEffectorTarget, WbOptimize>;
 
 /// Everything a client can ask of the motion engine, checked for names, shapes and ranges before
 /// it is posted.

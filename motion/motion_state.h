@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "core/robot_io.h"
 #include "core/sim_time.h"
+#include "motion/collision_guard.h"
 #include "motion/motion_request.h"
 
 namespace nao::motion {
@@ -34,6 +36,7 @@ struct MotionState {
   std::vector<Task> tasks;
   bool falling = false;
   bool fallen = false;
+  std::array<Nearness, CollisionGuard::kArms> arms{};  // left, right: to the rest of the body
   std::uint64_t set_back = 0;  // how often the robot was set back to an earlier state; calls that
                                // wait over that have failed
 };

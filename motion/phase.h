@@ -21,6 +21,7 @@ struct Body {
   Stiffness stiffness;
   SensorFrame measured;
   bool upright = true;  // neither falling nor fallen
+  bool grounded = true;  // a foot has felt the ground of late
   bool awake = false;
   Walking* walking = nullptr;       // of the same robot; during a cycle only
   WholeBody* whole_body = nullptr;  // likewise; null while it walks

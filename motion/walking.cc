@@ -102,7 +102,8 @@ bool Walking::isStand(const WalkOrder& order) const {
 std::string Walking::refusal(const Body& body) const {
   if (!gait_) return "this robot does not walk";
   if (!body.upright) return "the robot is not on its feet";
-  for (std::size_t i = 0; i < model_.jointCount(); ++i) {
+  if (protection_.foot_contact && !body.grounded) return "no foot feels the ground";
+  for (std::size_t i = 0; protection_.stiffness && i < model_.jointCount(); ++i) {
     if (legs_.test(i) && body.stiffness.value()[i] <= kSoftLegs) {
       return "the legs are too soft to walk: every stiffness must be above 0.6";
     }
@@ -152,6 +153,8 @@ void Walking::kill(const std::string& reason) {
 
 void Walking::update(double dt, const JointSet& held, Body& body) {
   if (state_ != State::Walking) return;
+  const std::string reason = refusal(body);
+  if (!reason.empty()) return kill(reason);
   commanded_ |= held;
   JointCommand command{body.angle, body.stiffness.value()};
   gait_->update(body.measured, command);
@@ -224,6 +227,7 @@ void Walking::archiveOrder(Archive& archive) {
 
 void Walking::archive(Archive& archive) {
   archive.value(move_arms_);
+  archive.value(protection_);
   archive.value(state_);
   if (state_ != State::Idle) archiveOrder(archive);
   archive.value(stopping_);

@@ -40,6 +40,7 @@ class Walking {
   bool stopRequest(RequestId id);
 
   void setMoveArms(const SetMoveArms& arms) { move_arms_ = arms; }
+  void setProtection(const SetWalkProtection& protection) { protection_ = protection; }
 
   bool ordered() const { return state_ != State::Idle; }
   bool active() const { return state_ == State::Walking; }
@@ -74,6 +75,7 @@ class Walking {
   ValuePtr<Gait> gait_;
   const JointSet legs_, left_arm_, right_arm_;
   SetMoveArms move_arms_;
+  SetWalkProtection protection_;
   State state_ = State::Idle;
   WalkOrder order_;
   RequestId id_ = 0;      // of the order under way

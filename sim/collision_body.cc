@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/shape_distance.h"
+#include "core/shape_distance.h"
 
 namespace nao::sim {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/shape_distance.h"
+#include "core/shape_distance.h"
 
 namespace nao::sim {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/shape_distance.h"
+#include "core/shape_distance.h"
 
 namespace nao::sim {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/shape_gap.h"
+#include "core/shape_gap.h"
 
 namespace nao::sim {
 namespace {

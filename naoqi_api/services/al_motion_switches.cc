@@ -1,5 +1,7 @@
 #include "naoqi_api/services/al_motion_switches.h"
 
+#include <algorithm>
+
 #include "motion/idle.h"
 #include "naoqi_api/services/naoqi_method.h"
 
@@ -46,6 +48,20 @@ class ChainSwitch {
   const RobotModel& model_;
 };
 
+motion::SetMoveArms armsOf(const std::string& chain) {
+  if (chain == "LArm") return {true, false};
+  if (chain == "RArm") return {false, true};
+  if (chain == "Arms") return {true, true};
+  throw rpc::CallError("expected LArm, RArm or Arms, got " + chain);
+}
+
+// Null for a name that is accepted without effect.
+bool* protectionOf(const std::string& name, motion::SetWalkProtection& protection) {
+  if (name == "ENABLE_FOOT_CONTACT_PROTECTION") return &protection.foot_contact;
+  if (name == "ENABLE_STIFFNESS_PROTECTION") return &protection.stiffness;
+  return nullptr;
+}
+
 }  // namespace
 
 void AlMotionSwitches::declare(rpc::Service& service) {
@@ -77,10 +93,10 @@ void AlMotionSwitches::declareReflexes(rpc::Service& service) {
   using Self = AlMotionSwitches;
   const Argument chain{"pChainName", "Name of the chain."};
   addMethod(service, "setCollisionProtectionEnabled", this, &Self::setCollisionProtectionEnabled,
-            "Remembers whether a chain is to avoid the body.", chain, kEnable)
+            "Whether an arm keeps out of the body; true.", chain, kEnable)
       .at(227);
   addMethod(service, "getCollisionProtectionEnabled", this, &Self::getCollisionProtectionEnabled,
-            "Whether a chain is to avoid the body.", chain)
+            "Whether an arm keeps out of the body.", Argument{"pChainName", "LArm, RArm or Arms."})
       .at(228);
   addMethod(service, "setExternalCollisionProtectionEnabled", this,
             &Self::setExternalCollisionProtectionEnabled,
@@ -93,9 +109,15 @@ void AlMotionSwitches::declareReflexes(rpc::Service& service) {
             Argument{"pName", "A chain, Arms, Move or All."})
       .at(232);
   addMethod(service, "isCollision", this, &Self::isCollision,
-            "Whether a chain touches the body; always none, since nobody looks.", chain)
+            "How near an arm's command is to the body: none, near (20 mm) or collision (1 mm).",
+            chain)
       .at(237);
-  declareSwitch(service, "FallManager", true, 245, 246);
+  addMethod(service, "setFallManagerEnabled", this, &Self::setFallManagerEnabled,
+            "Whether a fall ends in a protective pose and limp joints.", kEnable)
+      .at(245);
+  addMethod(service, "getFallManagerEnabled", this, &Self::getFallManagerEnabled,
+            "Whether a fall ends in a protective pose and limp joints.")
+      .at(246);
   declareSwitch(service, "PushRecovery", true, 247, 249);
   declareSwitch(service, "SmartStiffness", true, 250, 251);
   declareSwitch(service, "DiagnosisEffect", true, 252, 253);
@@ -122,9 +144,11 @@ void AlMotionSwitches::declareIdle(rpc::Service& service) {
   using Self = AlMotionSwitches;
   const Argument chain{"pChain", "Name of a chain, Arms, Legs or Body."};
   const Argument enable{"pIsEnabled", kEnable.meaning};
-  addMethod(service, "setMotionConfig", this, &Self::setMotionConfig,
-            "Accepts the configuration of protections that are not simulated.",
-            Argument{"config", "[[name, value], ...]."})
+  addMethod(
+      service, "setMotionConfig", this, &Self::setMotionConfig,
+      "ENABLE_FOOT_CONTACT_PROTECTION and ENABLE_STIFFNESS_PROTECTION of the walk; other names "
+      "are accepted without effect.",
+      Argument{"config", "[[name, value], ...]."})
       .at(267);
   addMethod(service, "setBreathEnabled", this, &Self::setBreathEnabled,
             "Whether a chain breathes while nobody commands it and the robot stands.", chain,
@@ -186,17 +210,33 @@ rpc::Value AlMotionSwitches::getWalkArmsEnabled() {
 }
 
 bool AlMotionSwitches::setCollisionProtectionEnabled(const std::string& chain, bool enable) {
-  ChainSwitch(link_.model()).set(collision_protection_, chain, enable);
+  const motion::SetMoveArms arms = armsOf(chain);
+  motion::SetCollisionProtection changed = collision_protection_;
+  if (arms.left) changed.left = enable;
+  if (arms.right) changed.right = enable;
+  link_.post(changed);
+  collision_protection_ = changed;
   return true;
 }
 
 bool AlMotionSwitches::getCollisionProtectionEnabled(const std::string& chain) {
-  return ChainSwitch(link_.model()).get(collision_protection_, chain, true);
+  const motion::SetMoveArms arms = armsOf(chain);
+  return (!arms.left || collision_protection_.left) && (!arms.right || collision_protection_.right);
 }
 
 std::string AlMotionSwitches::isCollision(const std::string& chain) {
-  ChainSwitch(link_.model()).chains(chain);
-  return "none";
+  const motion::SetMoveArms arms = chain == "Body" ? motion::SetMoveArms{} : armsOf(chain);
+  const auto state = link_.state();
+  motion::Nearness worst = motion::Nearness::None;
+  if (arms.left) worst = std::max(worst, state->arms[0]);
+  if (arms.right) worst = std::max(worst, state->arms[1]);
+  if (worst == motion::Nearness::Collision) return "collision";
+  return worst == motion::Nearness::Near ? "near" : "none";
+}
+
+void AlMotionSwitches::setFallManagerEnabled(bool enable) {
+  link_.post(motion::SetFallManager{enable});
+  fall_manager_ = enable;
 }
 
 void AlMotionSwitches::setExternalCollisionProtectionEnabled(const std::string& name, bool enable) {
@@ -275,7 +315,24 @@ rpc::Value AlMotionSwitches::getBreathConfig() {
 }
 
 void AlMotionSwitches::setMotionConfig(const rpc::Value& config) {
-  if (config.findItems() == nullptr) throw rpc::CallError("expected [[name, value], ...]");
+  const auto* items = config.findItems();
+  if (items == nullptr) throw rpc::CallError("expected [[name, value], ...]");
+  if (items->size() == 2 && items->front().isString()) {
+    return setMotionConfig(rpc::Value::list({config}));
+  }
+  motion::SetWalkProtection changed = walk_protection_;
+  for (const rpc::Value& pair : *items) {
+    const auto* parts = pair.findItems();
+    const bool fits = parts != nullptr && parts->size() == 2 && (*parts)[0].isString();
+    if (!fits) throw rpc::CallError("expected [name, value], got " + pair.print());
+    bool* member = protectionOf(*(*parts)[0].findText(), changed);
+    if (member == nullptr) continue;
+    const auto number = (*parts)[1].findNumber();
+    if (!number) throw rpc::CallError("expected true or false, got " + pair.print());
+    *member = *number != 0;
+  }
+  link_.post(changed);
+  walk_protection_ = changed;
 }
 
 }  // namespace nao::services

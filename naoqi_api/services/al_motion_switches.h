@@ -8,9 +8,10 @@
 
 namespace nao::services {
 
-/// The switches of ALMotion. Those of the arms' swing, of breath and of idle postures act; the
-/// others belong to reflexes that are not simulated: they are remembered and told again, so that
-/// programs that set and check them run.
+/// The switches of ALMotion. Those of the arms' swing, of breath and idle postures, the collision
+/// protection, the fall manager and the walk's protections act; the others belong to reflexes that
+/// are not simulated: they are remembered and told again, so that programs that set and check them
+/// run.
 class AlMotionSwitches {
  public:
   explicit AlMotionSwitches(RobotLink& link) : link_(link) {}
@@ -33,6 +34,8 @@ class AlMotionSwitches {
   bool setCollisionProtectionEnabled(const std::string& chain, bool enable);
   bool getCollisionProtectionEnabled(const std::string& chain);
   std::string isCollision(const std::string& chain);
+  void setFallManagerEnabled(bool enable);
+  bool getFallManagerEnabled() { return fall_manager_; }
   void setExternalCollisionProtectionEnabled(const std::string& name, bool enable);
   bool getExternalCollisionProtectionEnabled(const std::string& name);
   void setOrthogonalSecurityDistance(float distance) { orthogonal_distance_ = distance; }
@@ -53,7 +56,9 @@ class AlMotionSwitches {
 
   RobotLink& link_;
   motion::SetMoveArms arms_;
-  std::map<std::string, bool> collision_protection_;           // by chain; on at first
+  motion::SetCollisionProtection collision_protection_;
+  motion::SetWalkProtection walk_protection_;
+  bool fall_manager_ = true;
   std::map<std::string, bool> external_collision_protection_;  // by chain, Move or All; on at first
   std::map<std::string, bool> breath_;                         // by chain; off at first
   std::map<std::string, bool> idle_posture_;                   // by chain; off at first

@@ -171,6 +171,7 @@ class EngineBench {
         gait(std::make_shared<FakeGait::Log>()),
         engine(model, std::make_unique<FakeGait>(*model, gait)) {
     frame.angle = model->findPosture(model->start_posture)->angle;
+    for (FootForces& foot : frame.feet) foot.total = 22;
   }
 
   RequestId post(MotionAction action) {

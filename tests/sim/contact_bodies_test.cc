@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/random.h"
-#include "sim/shape_gap.h"
+#include "core/shape_gap.h"
 #include "sim/touching.h"
 #include "sim/world.h"
 #include "tests/support/models.h"

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "sim/collision_body.h"
-#include "sim/shape_gap.h"
+#include "core/shape_gap.h"
 #include "sim/world.h"
 #include "tests/support/models.h"
 #include "tests/support/shape_gap.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/random.h"
-#include "sim/shape_distance.h"
+#include "core/shape_distance.h"
 #include "sim/sonar.h"
 
 namespace nao::sim {

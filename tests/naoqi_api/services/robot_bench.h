@@ -22,6 +22,7 @@ class RobotBench {
         gait(std::make_shared<motion::FakeGait::Log>()),
         engine(model, std::make_unique<motion::FakeGait>(*model, gait)) {
     frame.angle = model->findPosture(model->start_posture)->angle;
+    for (FootForces& foot : frame.feet) foot.total = 22;
   }
 
   /// One cycle of the robot and of the services.

@@ -1,13 +1,13 @@
-#include "sim/shape_gap.h"
+#include "core/shape_gap.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include "sim/shape_distance.h"
+#include "core/shape_distance.h"
 
-namespace nao::sim {
+namespace nao {
 namespace {
 
 constexpr int kHalvings = 30;    // of an edge: to a micrometre on a metre, and further
@@ -159,4 +159,4 @@ ShapeGap calcShapeGap(const Shape& a, const Pose& X_WA, const Shape& b, const Po
   return of_a.distance < of_b.distance ? of_a : of_b;
 }
 
-}  // namespace nao::sim
+}  // namespace nao

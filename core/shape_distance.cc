@@ -1,4 +1,4 @@
-#include "sim/shape_distance.h"
+#include "core/shape_distance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "core/check.h"
 
-namespace nao::sim {
+namespace nao {
 namespace {
 
 SurfacePoint fromSegment(const Vec3& p, double half_length, double radius) {
@@ -114,4 +114,4 @@ double boundingRadius(const Shape& shape) {
   NAO_CHECK(false);
 }
 
-}  // namespace nao::sim
+}  // namespace nao

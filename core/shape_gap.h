@@ -2,7 +2,7 @@
 
 #include "core/shape.h"
 
-namespace nao::sim {
+namespace nao {
 
 /// Where two solids are nearest to each other, or deepest in each other.
 struct ShapeGap {
@@ -17,4 +17,4 @@ struct ShapeGap {
 /// of an edge (or axis) of one in the other.
 ShapeGap calcShapeGap(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB);
 
-}  // namespace nao::sim
+}  // namespace nao

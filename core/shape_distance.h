@@ -2,7 +2,7 @@
 
 #include "core/shape.h"
 
-namespace nao::sim {
+namespace nao {
 
 /// Where a point is relative to a solid.
 struct SurfacePoint {
@@ -16,4 +16,4 @@ SurfacePoint calcSurfacePoint(const Shape& shape, const Vec3& p_S);
 /// The radius [m] of a sphere about the shape's centre that holds all of it.
 double boundingRadius(const Shape& shape);
 
-}  // namespace nao::sim
+}  // namespace nao

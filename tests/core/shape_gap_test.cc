@@ -1,12 +1,12 @@
-#include "sim/shape_gap.h"
+#include "core/shape_gap.h"
 
 #include <gtest/gtest.h>
 
 #include "core/random.h"
-#include "sim/shape_distance.h"
+#include "core/shape_distance.h"
 #include "tests/support/shape_gap.h"
 
-namespace nao::sim {
+namespace nao {
 namespace {
 
 Vec3 anyVector(Random& random, double size) {
@@ -110,4 +110,4 @@ TEST(ShapeGap, OverlapIsHowFarTheyMustPart) {
 }
 
 }  // namespace
-}  // namespace nao::sim
+}  // namespace nao
