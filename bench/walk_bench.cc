@@ -81,6 +81,7 @@ void motionTick(benchmark::State& state) {
   engine.accept({1, motion::WakeUp{}});
   SensorFrame frame;
   frame.angle = robot->findPosture("StandInit")->angle;
+  for (FootForces& foot : frame.feet) foot.total = 22;  // [N]
   const auto cycle = [&] {
     frame.time += robot->cycle;
     frame.angle = engine.update(frame).angle;

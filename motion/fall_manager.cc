@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "motion/phases.h"
+#include "motion/posture_family.h"
+#include "motion/support_polygon.h"
 
 namespace nao::motion {
 namespace {
@@ -40,15 +42,36 @@ double angleOf(const Row& row, const SensorFrame& measured) {
 
 }  // namespace
 
-bool FallManager::update(const SensorFrame& measured, double dt) {
-  const bool before = falling();
+bool FallManager::update(const SensorFrame& measured, bool grounded, double dt) {
   detector_.update(measured, dt);
-  return enabled_ && falling() && !before;
+  if (!falling() && !fallen()) found_ = false;
+  if (!enabled_ || found_ || !falling() || !grounded || !overbalances(measured)) return false;
+  found_ = true;
+  return true;
+}
+
+// Whether the centre of mass is beside the hull of the soles, seen along the vertical. A robot
+// whose soles nobody knows has it beside them as soon as it is tilted far enough.
+bool FallManager::overbalances(const SensorFrame& measured) {
+  kinematics_.update(measured.angle);
+  const Vec3 up = upInTorso(measured);
+  const Eigen::Quaterniond R_HT = Eigen::Quaterniond::FromTwoVectors(up, Vec3::UnitZ());
+  std::vector<Eigen::Vector2d> corners;
+  for (const FootModel& foot : kinematics_.model().feet) {
+    if (foot.outline.empty()) return true;
+    const Pose X_TS = kinematics_.getPose(foot.body) * foot.X_BS;
+    for (const Eigen::Vector2d& corner : foot.outline) {
+      corners.push_back((R_HT * (X_TS * Vec3(corner.x(), corner.y(), 0))).head<2>());
+    }
+  }
+  const Eigen::Vector2d com = (R_HT * kinematics_.calcCom()).head<2>();
+  return depthIn(calcHull(corners), com) < 0;
 }
 
 void FallManager::archive(Archive& archive) {
   detector_.archive(archive);
   archive.value(enabled_);
+  archive.value(found_);
 }
 
 std::unique_ptr<Phase> protectivePose(const RobotModel& model, const SensorFrame& measured) {

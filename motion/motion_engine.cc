@@ -104,6 +104,7 @@ MotionEngine::Impl::Impl(std::shared_ptr<const RobotModel> model, std::unique_pt
       walking_(*model_, std::move(gait)),
       whole_body_(model_),
       idle_(*model_),
+      fall_(model_),
       guard_(*model_),
       last_accepted_(last_accepted) {
   if (const Posture* start = model_->findPosture(model_->start_posture)) {
@@ -286,7 +287,6 @@ JointCommand MotionEngine::Impl::update(const SensorFrame& measured) {
   body_.measured = measured;
   if (!model_->feet.empty()) senseBalance(measured);
   followSensors(limpJoints());
-  const JointArray<double> last = body_.angle;
 
   // What was asked for: booked motions, setpoints, stiffness, and the walk over both.
   const JointArray<double> before = body_.angle;
@@ -311,15 +311,15 @@ JointCommand MotionEngine::Impl::update(const SensorFrame& measured) {
   // What the body can do.
   followSensors(limp);
   clipToLimits(*model_, allJoints(*model_) & ~limp, body_.angle);
-  guard_.apply(last, dt_, body_.angle);
+  guard_.apply(before, dt_, body_.angle);
   if (limp == allJoints(*model_)) body_.awake = false;
   collectOutcomes();
   return {body_.angle, body_.stiffness.value()};
 }
 
 void MotionEngine::Impl::senseBalance(const SensorFrame& measured) {
-  const bool falls = fall_.update(measured, dt_);
   ground_.update(measured, dt_);
+  const bool falls = fall_.update(measured, ground_.grounded(), dt_);
   body_.grounded = ground_.grounded();
   body_.upright = !fall_.falling() && !fall_.fallen();
   if (!body_.upright && walking_.ordered()) walking_.kill("the robot fell");
