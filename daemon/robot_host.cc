@@ -30,6 +30,7 @@ RobotHost::RobotHost(const HostContext& context, std::size_t robot)
       memory_(link_.model(), context.simulation.robot(robot).ports(),
               context.simulation.robotName(robot), [this] { return naoqiTime(); }),
       al_memory_(memory_, [this](const std::string& name) { return hub_.findRemote(name); }),
+      motion_events_(link_, memory_),
       speech_(memory_.store(), callLater(),
               [](const std::string& text) { spdlog::info("says: {}", text); }),
       system_(memory_.store(), context.simulation.robotName(robot)),
@@ -93,6 +94,7 @@ void RobotHost::addServices() {
 
 void RobotHost::deliver(const std::vector<LoopOutcome>& outcomes) {
   link_.deliver();
+  motion_events_.deliver();
   video_.deliverImages();
   usar_sim_.deliver(outcomes);
 }

@@ -20,6 +20,7 @@
 #include "naoqi_api/services/al_text_to_speech.h"
 #include "naoqi_api/services/al_video_device.h"
 #include "naoqi_api/services/behavior_runner.h"
+#include "naoqi_api/services/motion_events.h"
 
 namespace nao::daemon {
 
@@ -62,6 +63,7 @@ class RobotHost {
   services::AlVideoDevice video_;
   memory::RobotMemory memory_;
   services::AlMemory al_memory_;
+  services::MotionEvents motion_events_;
   services::AlTextToSpeech speech_;
   services::AlSystem system_;
   std::shared_ptr<services::BehaviorRunner> behaviors_;

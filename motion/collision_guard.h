@@ -19,7 +19,8 @@ enum class Nearness : std::uint8_t { None, Near, Collision };
 /// negative. A step that would is shortened joint by joint, from the shoulder outwards, so that the
 /// arm slides along and the joints that may move do. Where the gap is negative already (the legs
 /// came up, protection was off) only steps that do not deepen it pass. An arm set free again
-/// catches up at its joints' top speed. Works on commands: servos lag and give way. A value.
+/// catches up at its joints' top speed. Ways to a posture pass unguarded, as many of the real
+/// robot's posture graph do. Works on commands: servos lag and give way. A value.
 class CollisionGuard {
  public:
   static constexpr std::size_t kArms = 2;  // left, right

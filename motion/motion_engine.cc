@@ -290,6 +290,7 @@ JointCommand MotionEngine::Impl::update(const SensorFrame& measured) {
 
   // What was asked for: booked motions, setpoints, stiffness, and the walk over both.
   const JointArray<double> before = body_.angle;
+  body_.self_guarded = false;
   body_.walking = &walking_;
   body_.whole_body = walking_.ordered() ? nullptr : &whole_body_;
   schedule_.advance(dt_, body_);
@@ -311,7 +312,7 @@ JointCommand MotionEngine::Impl::update(const SensorFrame& measured) {
   // What the body can do.
   followSensors(limp);
   clipToLimits(*model_, allJoints(*model_) & ~limp, body_.angle);
-  guard_.apply(before, dt_, body_.angle);
+  if (!body_.self_guarded) guard_.apply(before, dt_, body_.angle);
   if (limp == allJoints(*model_)) body_.awake = false;
   collectOutcomes();
   return {body_.angle, body_.stiffness.value()};
@@ -359,7 +360,10 @@ MotionState MotionEngine::Impl::state() const {
   state.last_accepted = last_accepted_;
   state.command = {body_.angle, body_.stiffness.value()};
   state.awake = body_.awake;
+  state.stiffness = body_.stiffness.value();
   state.move_active = walking_.ordered();
+  state.moves_failed = walking_.failures();
+  state.failed_under_way = walking_.failedUnderWay();
   state.tasks = schedule_.tasks();
   state.falling = fall_.falling();
   state.fallen = fall_.fallen();

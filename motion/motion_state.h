@@ -27,9 +27,12 @@ struct MotionState {
   SimTime time{};
   RequestId last_accepted = 0;  // every request up to here has taken effect
   JointCommand command;
+  JointArray<double> stiffness;  // asked for; smart stiffness may command less
   bool awake = false;
   bool move_active = false;
-  Pose2 position;  // odometry, frame R
+  std::uint64_t moves_failed = 0;  // how many moves were refused, or ended before they should
+  bool failed_under_way = false;   // the last of these had begun
+  Pose2 position;                  // odometry, frame R
   Pose2 next_position;
   Velocity2 velocity;
   std::vector<Footstep> footsteps;

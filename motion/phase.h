@@ -20,9 +20,10 @@ struct Body {
   JointArray<double> angle;  // [rad] the command in the making
   Stiffness stiffness;
   SensorFrame measured;
-  bool upright = true;  // neither falling nor fallen
+  bool upright = true;   // neither falling nor fallen
   bool grounded = true;  // a foot has felt the ground of late
   bool awake = false;
+  bool self_guarded = false;        // for this cycle: what moves the arms knows where the body is
   Walking* walking = nullptr;       // of the same robot; during a cycle only
   WholeBody* whole_body = nullptr;  // likewise; null while it walks
 

@@ -65,6 +65,7 @@ class WayToPosture final : public Phase {
   WayToPosture(const Posture& target, double fraction) : target_(target), fraction_(fraction) {}
   void begin(Body& body) override;
   Progress advance(double dt, const JointSet& mine, Body& body) override {
+    body.self_guarded = true;  // arms that bear the body pass close to it
     return way_->advance(dt, mine, body);
   }
   std::string failure() const override { return way_->failure(); }

@@ -113,7 +113,7 @@ std::string Walking::refusal(const Body& body) const {
 
 void Walking::start(const Body& body) {
   const std::string reason = refusal(body);
-  if (!reason.empty()) return becomeIdle(MotionOutcome::Kind::Failed, reason);
+  if (!reason.empty()) return fail(reason);
   state_ = State::Walking;
   commanded_.reset();
   handToGait();
@@ -148,7 +148,14 @@ bool Walking::stopRequest(RequestId id) {
 
 void Walking::kill(const std::string& reason) {
   if (state_ == State::Walking) gait_->kill();
-  becomeIdle(reason.empty() ? MotionOutcome::Kind::Killed : MotionOutcome::Kind::Failed, reason);
+  if (!reason.empty()) return fail(reason);
+  becomeIdle(MotionOutcome::Kind::Killed);
+}
+
+void Walking::fail(const std::string& reason) {
+  ++failures_;
+  failed_under_way_ = state_ == State::Walking;
+  becomeIdle(MotionOutcome::Kind::Failed, reason);
 }
 
 void Walking::update(double dt, const JointSet& held, Body& body) {
@@ -231,6 +238,8 @@ void Walking::archive(Archive& archive) {
   archive.value(state_);
   if (state_ != State::Idle) archiveOrder(archive);
   archive.value(stopping_);
+  archive.value(failures_);
+  archive.value(failed_under_way_);
   archive.value(commanded_);
   if (gait_) gait_->archive(archive);
 }

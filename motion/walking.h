@@ -45,6 +45,11 @@ class Walking {
   bool ordered() const { return state_ != State::Idle; }
   bool active() const { return state_ == State::Walking; }
   RequestId id() const { return id_; }
+
+  /// How many orders failed, and whether the last of these was walking by then.
+  std::uint64_t failures() const { return failures_; }
+  bool failedUnderWay() const { return failed_under_way_; }
+
   const Gait* gait() const { return gait_.get(); }
 
   /// One cycle of `dt` [s]: the gait's legs, and its arms where they are not `held` by others.
@@ -68,6 +73,7 @@ class Walking {
   void handToGait();
   void archiveOrder(Archive& archive);
   void endOrder(MotionOutcome::Kind kind, const std::string& reason = {});
+  void fail(const std::string& reason);
   void becomeIdle(MotionOutcome::Kind kind, const std::string& reason = {});
   JointSet swingingArms() const;
 
@@ -81,6 +87,8 @@ class Walking {
   RequestId id_ = 0;      // of the order under way
   bool awaited_ = false;  // somebody waits for its end (moveTo)
   bool stopping_ = false;
+  std::uint64_t failures_ = 0;
+  bool failed_under_way_ = false;
   JointSet commanded_;  // arms that a request moved during this walk
   std::vector<RequestId> stops_;
   std::vector<MotionOutcome> outcomes_;

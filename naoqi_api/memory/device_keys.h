@@ -23,8 +23,8 @@ struct View {
 };
 
 /// The keys of a robot's devices: Device/SubDeviceList/..., Motion/... and the like. Lazy views:
-/// reading makes the value, nothing is written per cycle, and they raise no events. Immutable;
-/// any thread.
+/// reading makes the value, nothing is written per cycle. services::MotionEvents raises those that
+/// are events. Immutable; any thread.
 class DeviceKeys {
  public:
   /// `ports`: where the robot publishes.

@@ -59,6 +59,17 @@ void addJoint(const std::string& name, Joint joint, Views& views) {
              [joint](const SensorFrame& sensors) { return sensors.overheating[joint]; });
 }
 
+// The mean over the joints as ALSensors tells it. (NAOqi 2.8 documentation: below 0.05, between,
+// above 0.95)
+std::int32_t bodyStiffness(const MotionState& state) {
+  if (state.stiffness.size() == 0) return 0;
+  double sum = 0;
+  for (const double stiffness : state.stiffness) sum += std::max(stiffness, 0.0);
+  const double mean = sum / static_cast<double>(state.stiffness.size());
+  if (mean < 0.05) return 0;
+  return mean > 0.95 ? 2 : 1;
+}
+
 // What stays at room temperature: the motors that have done least show it.
 double ambient(const SensorFrame& sensors) {
   if (sensors.temperature.size() == 0) return 0;
@@ -193,6 +204,10 @@ void addMotionViews(const RobotModel& model, Views& views) {
   addState(
       views, "robotIsFalling", [](const MotionState& state) { return state.falling; }, kEvent);
   addState(
+      views, "ALMotion/RobotIsFalling", [](const MotionState& state) { return state.falling; },
+      kEvent);
+  addState(views, "BodyStiffnessChanged", bodyStiffness, kEvent);
+  addState(
       views, "robotHasFallen", [](const MotionState& state) { return state.fallen; }, kEvent);
 }
 
@@ -223,9 +238,15 @@ void addFootViews(const RobotModel& model, Views& views) {
     addSensor(views, foot == Foot::Left ? "leftFootContact" : "rightFootContact",
               [foot](const SensorFrame& sensors) { return touches(sensors, foot) ? 1 : 0; });
   }
-  addSensor(views, "footContact", [](const SensorFrame& sensors) {
-    return touches(sensors, Foot::Left) || touches(sensors, Foot::Right) ? 1 : 0;
-  });
+  const auto any = [](const SensorFrame& sensors) {
+    return touches(sensors, Foot::Left) || touches(sensors, Foot::Right);
+  };
+  addSensor(views, "footContact",
+            [any](const SensorFrame& sensors) { return any(sensors) ? 1 : 0; });
+  views["footContactChanged"] = {KeyType::Event,
+                                 [any](const SensorFrame& sensors, const MotionState& /*state*/) {
+                                   return Value(any(sensors));
+                                 }};
 }
 
 void addBoardViews(const RobotModel& model, Views& views) {

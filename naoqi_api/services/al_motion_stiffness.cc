@@ -82,7 +82,7 @@ rpc::Pending<std::vector<float>> AlMotionStiffness::getStiffnesses(const rpc::Va
     const auto state = link_.state();
     std::vector<float> values;
     for (const Joint joint : joints) {
-      values.push_back(static_cast<float>(state->command.stiffness[joint]));
+      values.push_back(static_cast<float>(state->stiffness[joint]));
     }
     return values;
   });
