@@ -13,6 +13,7 @@
 namespace nao::services {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
@@ -94,7 +95,7 @@ TEST_F(MotionEventsTest, AMoveThatIsRefusedAndOneThatIsEndedFail) {
   listen("ALMotion/MoveFailed");
   motion_->call("moveToward", {0.5, 0.0, 0.0});  // on limp legs
   run(3);
-  EXPECT_THAT(heard_, ElementsAre("ALMotion/MoveFailed [\"Internal stop\", 0, null]"));
+  EXPECT_THAT(heard_, ElementsAre("ALMotion/MoveFailed [\"Internal stop\", 0, nothing]"));
   heard_.clear();
   motion_->call("wakeUp", {});
   run(3);
@@ -103,7 +104,7 @@ TEST_F(MotionEventsTest, AMoveThatIsRefusedAndOneThatIsEndedFail) {
   EXPECT_THAT(heard_, IsEmpty());
   bench_.frame.angle_y = 1.5;
   run(1);
-  EXPECT_THAT(heard_, ElementsAre("ALMotion/MoveFailed [\"Internal stop\", 1, null]"));
+  EXPECT_THAT(heard_, ElementsAre("ALMotion/MoveFailed [\"Internal stop\", 1, nothing]"));
 }
 
 TEST_F(MotionEventsTest, PosturesAreToldOncePerSecond) {
@@ -112,8 +113,9 @@ TEST_F(MotionEventsTest, PosturesAreToldOncePerSecond) {
   listen("footContactChanged");
   motion_->call("wakeUp", {});  // from Crouch to StandInit
   run(5);
-  EXPECT_EQ(heard_.back(), "PostureChanged StandInit");
-  EXPECT_LE(heard_.size(), 3U);
+  EXPECT_THAT(heard_, Contains("PostureChanged \"StandInit\""));
+  EXPECT_EQ(heard_.back(), "PostureFamilyChanged \"Standing\"");
+  EXPECT_LE(heard_.size(), 4U);  // there may be a moment of Unknown between
   heard_.clear();
   for (FootForces& foot : bench_.frame.feet) foot.total = 0;
   run(2);
