@@ -18,6 +18,7 @@ struct Arguments {
   std::vector<std::string> behaviors;
   std::string speed = "1";
   std::string mode = "implicit";
+  bool scripts = false;
 };
 
 void printReady(daemon::Daemon& daemon, const std::string& listen) {
@@ -49,6 +50,7 @@ void serve(Arguments& arguments) {
   options.mode = parseMode(arguments.mode);
   options.world = findSourceFile(options.world);
   options.robots_dir = findSourceFile(options.robots_dir);
+  if (arguments.scripts) options.scripts = findSourceFile("naoqi_api/sdk/python");
   options.behaviors = shippedMotions();
   for (const std::string& folder : arguments.behaviors) options.behaviors.push_back(folder);
 
@@ -98,6 +100,10 @@ void addServe(CLI::App& app) {
   command->add_option("--behaviors", arguments->behaviors,
                       "A folder of behaviors or motion files to install on every robot, beside\n"
                       "those shipped here. Repeat it for more.");
+  command->add_flag(
+      "--scripts", arguments->scripts,
+      "Runs the Python code in the boxes of behaviors, each behavior in a python3 of\n"
+      "its own with all rights of this user (default: code is told, not run).");
   command->add_flag("--strict", options.strict,
                     "Refuse calls before authentication, as libqi 4 does (default: answer them,\n"
                     "as NAOqi 2.1 to 2.8 do).");

@@ -24,6 +24,8 @@ struct Options {
   /// Folders of motions and behaviors that every robot has installed, beside those in its own
   /// robots_dir/<model>/motions; later ones win.
   std::vector<std::string> behaviors;
+  std::string
+      scripts;  // folder of the Python client, to run the code in boxes; empty: it is not run
   std::string listen = "127.0.0.1";
   std::uint16_t port = 9559;  // robot i listens on port + i; 0: any free one for each
   double speed = 1;           // simulated seconds per second; infinite: as fast as it goes

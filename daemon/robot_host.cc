@@ -35,7 +35,7 @@ RobotHost::RobotHost(const HostContext& context, std::size_t robot)
               [](const std::string& text) { spdlog::info("says: {}", text); }),
       system_(memory_.store(), context.simulation.robotName(robot)),
       behaviors_(std::make_shared<services::BehaviorRunner>(link_, installedBehaviors(context),
-                                                            behaviorHooks())),
+                                                            behaviorHooks(context))),
       hub_(hubOptions(context)) {
   addServices();
   server_ = std::make_unique<Server>(context.io, hub_, context.options.listen,
@@ -70,11 +70,33 @@ std::shared_ptr<services::BehaviorLibrary> RobotHost::installedBehaviors(
   return library;
 }
 
-services::BehaviorRunner::Hooks RobotHost::behaviorHooks() {
+services::ScriptLauncher RobotHost::scriptLauncher(const HostContext& context) {
+  const Options& options = context.options;
+  if (options.scripts.empty()) return {};
+  const bool everywhere = options.listen == "0.0.0.0" || options.listen == "::";
+  const std::string host = everywhere ? "127.0.0.1" : options.listen;
+  return [this, &io = context.io, modules = options.scripts, host](const auto& file, auto ended) {
+    const auto place = std::make_shared<std::weak_ptr<ScriptProcess>>();
+    const auto process =
+        ScriptProcess::start(io, {file, modules, host + ":" + std::to_string(port())},
+                             [this, place, ended](const std::string& failure) {
+                               scripts_.erase(place->lock());
+                               ended(failure);
+                             });
+    *place = process;
+    scripts_.insert(process);
+    return [weak = std::weak_ptr<ScriptProcess>(process)] {
+      if (const auto running = weak.lock()) running->stop();
+    };
+  };
+}
+
+services::BehaviorRunner::Hooks RobotHost::behaviorHooks(const HostContext& context) {
   return {[](const std::string& text) { spdlog::warn("{}", text); },
           [this](const std::vector<std::string>& running) {
             memory_.store().raiseEvent("BehaviorsRun", rpc::toValue(running));
-          }};
+          },
+          scriptLauncher(context)};
 }
 
 void RobotHost::addServices() {

@@ -3,6 +3,7 @@
 #include <boost/asio/io_context.hpp>
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "camera/render_queue.h"
 #include "daemon/options.h"
 #include "daemon/robot_loop.h"
+#include "daemon/script_process.h"
 #include "daemon/server.h"
 #include "daemon/usar_sim.h"
 #include "naoqi_api/memory/robot_memory.h"
@@ -45,8 +47,11 @@ class RobotHost {
   /// Hands on what the simulation and the camera have published since.
   void deliver(const std::vector<LoopOutcome>& outcomes);
 
-  /// No more clients; calls under way end.
-  void close() { server_->close(); }
+  /// No more clients; calls and scripts under way end.
+  void close() {
+    server_->close();
+    scripts_.clear();
+  }
 
  private:
   rpc::HubOptions hubOptions(const HostContext& context);
@@ -54,7 +59,8 @@ class RobotHost {
   Duration naoqiTime() const;
   void addServices();
   std::shared_ptr<services::BehaviorLibrary> installedBehaviors(const HostContext& context) const;
-  services::BehaviorRunner::Hooks behaviorHooks();
+  services::BehaviorRunner::Hooks behaviorHooks(const HostContext& context);
+  services::ScriptLauncher scriptLauncher(const HostContext& context);
 
   services::RobotLink link_;
   std::shared_ptr<camera::ImageFeed> images_;
@@ -69,6 +75,7 @@ class RobotHost {
   std::shared_ptr<services::BehaviorRunner> behaviors_;
   rpc::ServiceHub hub_;
   std::unique_ptr<Server> server_;
+  std::set<std::shared_ptr<ScriptProcess>> scripts_;  // that run
 };
 
 }  // namespace nao::daemon

@@ -100,6 +100,12 @@ bool isMotionFile(const std::filesystem::path& file) {
   return std::any_of(std::begin(kFormats), std::end(kFormats), has_ending);
 }
 
+std::optional<std::filesystem::path> findCode(const std::filesystem::path& file) {
+  const MotionSource source = openMotion(file);
+  if (source.file.extension() != ".xar" || !hasCode(source.text, source.file.string())) return {};
+  return source.file;
+}
+
 Timeline loadBox(const std::filesystem::path& file, const std::string& box,
                  const RobotModel& model) {
   MotionSource source = openMotion(file);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "motion/timeline/timeline.h"
@@ -18,6 +19,11 @@ Timeline loadMotion(const std::filesystem::path& file, const RobotModel& model);
 
 /// Whether a file has the ending of a motion that loadMotion() may play. The file is not opened.
 bool isMotionFile(const std::filesystem::path& file);
+
+/// The .xar of a behavior (a folder, a package, the file itself) if a box of it has code; nothing
+/// for other kinds of motions, packed ones too.
+/// @throws InputError if it can not be read or is no behavior.
+std::optional<std::filesystem::path> findCode(const std::filesystem::path& file);
 
 /// The timeline of one box of a behavior (.xar, .crg, .pml, folder), as if it were started alone.
 /// @throws InputError as loadMotion(), or with the boxes there are if none is called `box`.

@@ -185,11 +185,13 @@ std::optional<double> Player::playDiagram(const XarElement& diagram, double star
   return decided ? std::optional(end) : std::nullopt;
 }
 
-void Player::warnOfScript(const XarElement& box) {
+bool hasOwnCode(const XarElement& box) {
   const XarElement script = box.child("script");
-  if (!script) return;
-  const std::string code = script.text("content");
-  if (code.find_first_not_of(" \t\r\n") == std::string::npos) return;
+  return script && script.text("content").find_first_not_of(" \t\r\n") != std::string::npos;
+}
+
+void Player::warnOfScript(const XarElement& box) {
+  if (!hasOwnCode(box)) return;
   builder_.warn(box.place() + ": the script of the box \"" + box.text("name") + "\" is not run");
 }
 
@@ -208,6 +210,25 @@ XarElement rootBox(const tinyxml2::XMLDocument& document, const std::string& sou
   return box;
 }
 
+// All boxes in the diagrams of a box's timeline.
+std::vector<XarElement> innerBoxes(const XarElement& timeline) {
+  std::vector<XarElement> boxes;
+  for (const XarElement& layer : timeline.children("BehaviorLayer")) {
+    for (const XarElement& keyframe : layer.children("BehaviorKeyframe")) {
+      for (const XarElement& box : keyframe.child("Diagram").children("Box")) boxes.push_back(box);
+    }
+  }
+  return boxes;
+}
+
+bool hasCode(const XarElement& box, int depth) {
+  if (depth > kDeepestNesting) box.fail("boxes are nested too deeply");
+  if (hasOwnCode(box)) return true;
+  const std::vector<XarElement> inner = innerBoxes(box.child("Timeline"));
+  return std::any_of(inner.begin(), inner.end(),
+                     [depth](const XarElement& b) { return hasCode(b, depth + 1); });
+}
+
 // `broken`: what was wrong with the whole text.
 void collectTimelines(const XarElement& box, const RobotModel& model,
                       const std::vector<std::string>& broken, int depth,
@@ -221,13 +242,8 @@ void collectTimelines(const XarElement& box, const RobotModel& model,
     Player(model, builder, broken.empty()).playBox(box, 0, depth);
     if (!builder.isEmpty()) found.push_back({box.text("name"), builder.take()});
   }
-  for (const XarElement& layer : timeline.children("BehaviorLayer")) {
-    for (const XarElement& keyframe : layer.children("BehaviorKeyframe")) {
-      const XarElement diagram = keyframe.child("Diagram");
-      for (const XarElement& inner : diagram.children("Box")) {
-        collectTimelines(inner, model, broken, depth + 1, found);
-      }
-    }
+  for (const XarElement& inner : innerBoxes(timeline)) {
+    collectTimelines(inner, model, broken, depth + 1, found);
   }
 }
 
@@ -249,6 +265,12 @@ Timeline readXar(const std::string& text, const std::string& source, const Robot
   }
   if (builder.isEmpty()) box.fail("no timeline here moves a joint of this robot");
   return builder.take();
+}
+
+bool hasCode(const std::string& text, const std::string& source) {
+  tinyxml2::XMLDocument document;
+  const std::vector<std::string> broken = parseXml(document, text, source);
+  return hasCode(rootBox(document, source, broken), 0);
 }
 
 std::vector<BoxTimeline> readXarBoxes(const std::string& text, const std::string& source,

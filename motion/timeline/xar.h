@@ -22,6 +22,9 @@ namespace nao::motion {
 /// starts by itself, or is left of it.
 Timeline readXar(const std::string& text, const std::string& source, const RobotModel& model);
 
+/// Whether a box of a behavior has code in it. @throws InputError if the text is no behavior.
+bool hasCode(const std::string& text, const std::string& source);
+
 /// A timeline of one box, as if that box were started alone.
 struct BoxTimeline {
   std::string box;

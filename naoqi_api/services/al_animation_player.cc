@@ -68,7 +68,7 @@ rpc::Pending<void> AlAnimationPlayer::run(const std::string& animation) {
                          "\" is not on this robot; ALBehaviorManager.getInstalledBehaviors lists "
                          "those there are");
   }
-  Playback& playback = runner_->load(found);
+  Performance& playback = runner_->load(found);
   playback.start();
   return playback.untilEnd();
 }

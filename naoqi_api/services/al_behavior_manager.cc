@@ -135,7 +135,7 @@ std::string AlBehaviorManager::getBehaviorNature(const std::string& name) {
 }
 
 rpc::Pending<void> AlBehaviorManager::runBehavior(const std::string& name) {
-  Playback& playback = runner_->load(name);
+  Performance& playback = runner_->load(name);
   playback.start();
   return playback.untilEnd();
 }

@@ -18,32 +18,40 @@ std::string BehaviorRunner::fullName(const std::string& name) const {
                        "\" is installed; getInstalledBehaviors lists those there are");
 }
 
-Playback& BehaviorRunner::load(const std::string& name) {
+Performance& BehaviorRunner::load(const std::string& name) {
   const std::string full_name = fullName(name);
-  const auto known = playbacks_.find(full_name);
-  if (known != playbacks_.end()) return *known->second;
-  motion::Timeline timeline;
+  const auto known = performances_.find(full_name);
+  if (known != performances_.end()) return *known->second;
   try {
-    timeline = motion::loadMotion(library_->at(full_name).file, link_.model());
+    return *performances_.emplace(full_name, open(library_->at(full_name).file)).first->second;
   } catch (const InputError& error) {
     throw rpc::CallError(error.what());
   }
+}
+
+std::shared_ptr<Performance> BehaviorRunner::open(const std::filesystem::path& file) {
+  const auto changed = [this] { tellRunning(); };
+  if (hooks_.run_code) {
+    if (const auto code = motion::findCode(file)) {
+      return std::make_shared<ScriptPerformance>(*code, hooks_.run_code, changed);
+    }
+  }
+  motion::Timeline timeline = motion::loadMotion(file, link_.model());
   if (hooks_.warn) {
     for (const std::string& sentence : timeline.broken) hooks_.warn(sentence);
     for (const std::string& sentence : timeline.warnings) hooks_.warn(sentence);
     for (const motion::KeyFault& fault : timeline.key_faults) hooks_.warn(fault.sentence);
   }
-  auto playback = std::make_shared<Playback>(link_, std::move(timeline), [this] { tellRunning(); });
-  return *playbacks_.emplace(full_name, std::move(playback)).first->second;
+  return std::make_shared<Playback>(link_, std::move(timeline), changed);
 }
 
 bool BehaviorRunner::remove(const std::string& name) {
   const std::string full_name = library_->resolve(name);
   if (full_name.empty()) return false;
-  const auto playback = playbacks_.find(full_name);
-  if (playback != playbacks_.end()) {
+  const auto playback = performances_.find(full_name);
+  if (playback != performances_.end()) {
     const auto kept = playback->second;  // until it has told that it ended
-    playbacks_.erase(playback);
+    performances_.erase(playback);
     kept->drop();
   }
   library_->remove(full_name);
@@ -51,23 +59,23 @@ bool BehaviorRunner::remove(const std::string& name) {
 }
 
 bool BehaviorRunner::isLoaded(const std::string& name) const {
-  return playbacks_.count(library_->resolve(name)) > 0;
+  return performances_.count(library_->resolve(name)) > 0;
 }
 
 bool BehaviorRunner::isRunning(const std::string& name) const {
-  const auto found = playbacks_.find(library_->resolve(name));
-  return found != playbacks_.end() && found->second->isRunning();
+  const auto found = performances_.find(library_->resolve(name));
+  return found != performances_.end() && found->second->isRunning();
 }
 
 std::vector<std::string> BehaviorRunner::loaded() const {
   std::vector<std::string> names;
-  for (const auto& [name, playback] : playbacks_) names.push_back(name);
+  for (const auto& [name, playback] : performances_) names.push_back(name);
   return names;
 }
 
 std::vector<std::string> BehaviorRunner::running() const {
   std::vector<std::string> names;
-  for (const auto& [name, playback] : playbacks_) {
+  for (const auto& [name, playback] : performances_) {
     if (playback->isRunning()) names.push_back(name);
   }
   return names;

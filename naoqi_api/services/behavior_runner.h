@@ -8,6 +8,7 @@
 
 #include "naoqi_api/services/behavior_library.h"
 #include "naoqi_api/services/playback.h"
+#include "naoqi_api/services/script_performance.h"
 
 namespace nao::services {
 
@@ -18,6 +19,7 @@ class BehaviorRunner {
   struct Hooks {
     std::function<void(const std::string&)> warn;  // what of a behavior is left out, a sentence
     std::function<void(const std::vector<std::string>&)> running_changed;
+    ScriptLauncher run_code;  // none: code in boxes is told, not run
   };
 
   /// `link` must outlive it.
@@ -30,7 +32,7 @@ class BehaviorRunner {
 
   /// Reads its file, unless it is loaded already. @throws CallError if it can not be played: the
   /// sentence names file and line.
-  Playback& load(const std::string& name);
+  Performance& load(const std::string& name);
 
   /// Ends a behavior and forgets it; false if there is none of that name.
   bool remove(const std::string& name);
@@ -41,12 +43,13 @@ class BehaviorRunner {
   std::vector<std::string> running() const;
 
  private:
+  std::shared_ptr<Performance> open(const std::filesystem::path& file);
   void tellRunning() const;
 
   RobotLink& link_;
   std::shared_ptr<BehaviorLibrary> library_;
   Hooks hooks_;
-  std::map<std::string, std::shared_ptr<Playback>> playbacks_;  // by full name
+  std::map<std::string, std::shared_ptr<Performance>> performances_;  // by full name
 };
 
 }  // namespace nao::services

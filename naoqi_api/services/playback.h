@@ -11,30 +11,42 @@
 
 namespace nao::services {
 
-/// A recorded motion that clients can start, watch, wait for and end. Lives in a shared_ptr; when
-/// it goes its motion goes on, but nobody hears of it. I/O thread.
-class Playback : public std::enable_shared_from_this<Playback> {
+/// Something that clients can start, watch, wait for and end. I/O thread.
+class Performance {
+ public:
+  virtual ~Performance() = default;
+  virtual bool isRunning() const = 0;
+
+  /// Begins; nothing if it runs already. @throws CallError if it can not begin.
+  virtual void start() = 0;
+
+  /// Ends with it, at once if it does not run; a failure becomes an error. Canceling it ends it.
+  virtual rpc::Pending<void> untilEnd() = 0;
+
+  /// Asks it to end; it counts as running until it has.
+  virtual void stop() = 0;
+
+  /// Ends it for those who wait, at once.
+  virtual void drop() = 0;
+};
+
+/// A recorded motion as a performance. Lives in a shared_ptr; when it goes its motion goes on, but
+/// nobody hears of it. I/O thread.
+class Playback final : public Performance, public std::enable_shared_from_this<Playback> {
  public:
   /// `changed`, if any, is called whenever it has started or ended. `link` must outlive it.
   Playback(RobotLink& link, motion::Timeline timeline, std::function<void()> changed = {});
 
   const motion::Timeline& timeline() const { return timeline_; }
-  bool isRunning() const { return request_ != 0; }
+  bool isRunning() const override { return request_ != 0; }
   bool wasStarted() const { return started_; }
 
-  /// Plays it, from where the joints are; nothing if it plays already. It waits for joints that
-  /// others have booked. @throws CallError when the robot has too many requests.
-  void start();
-
-  /// Ends with the motion, at once if it does not run; a failure becomes an error. Canceling it
-  /// ends the motion.
-  rpc::Pending<void> untilEnd();
-
-  /// Asks the robot to end it; it counts as running until the robot has.
-  void stop();
-
-  /// Ends it for those who wait, whatever the robot does about it.
-  void drop();
+  /// Plays it, from where the joints are. It waits for joints that others have booked.
+  /// @throws CallError when the robot has too many requests.
+  void start() override;
+  rpc::Pending<void> untilEnd() override;
+  void stop() override;
+  void drop() override;
 
  private:
   void ended(motion::RequestId request, const std::string& failure);

@@ -8,6 +8,7 @@ import zipfile
 
 NAME, VERSION = "usarnaoqi_sdk", "0.1"
 MODULES = ["naoqi.py", "vision_definitions.py"]
+PACKAGES = ["usarnaoqi_sdk", "usarnaoqi_behavior"]
 INFO = "%s-%s.dist-info" % (NAME, VERSION)
 METADATA = """Metadata-Version: 2.1
 Name: usarnaoqi-sdk
@@ -39,7 +40,8 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
 
 
 def _packageFiles():
-    return sorted("%s/%s" % (NAME, name) for name in os.listdir(NAME) if name.endswith(".py"))
+    return sorted("%s/%s" % (package, name) for package in PACKAGES
+                  for name in os.listdir(package) if name.endswith(".py"))
 
 
 def _read(path):

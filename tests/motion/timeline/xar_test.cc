@@ -232,6 +232,16 @@ TEST(Xar, LoopsEnd) {
   EXPECT_NEAR(timeline.length, 1, kExact);
 }
 
+TEST(Xar, KnowsWhetherABoxHasCode) {
+  const std::string motion = box("1", "fps=\"25\"", curve("HeadYaw", kYawTo90));
+  EXPECT_FALSE(hasCode(project(motion), "test.xar"));
+  EXPECT_FALSE(
+      hasCode(project("<Box id=\"2\"><script><content> \n</content></script></Box>"), "a"));
+  EXPECT_TRUE(hasCode(project(motion + "<Box id=\"2\"><script><content>say()</content></script>"
+                                       "</Box>"),
+                      "test.xar"));
+}
+
 TEST(Xar, ScriptsAreLeftOutAndSaidSo) {
   const std::string script =
       "<Box name=\"Say\" id=\"9\"><script language=\"4\"><content><![CDATA[say('hi')]]></content>"

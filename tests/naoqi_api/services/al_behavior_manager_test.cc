@@ -133,6 +133,41 @@ TEST_F(Behaviors, WhatIsWrongIsToldToTheClient) {
   EXPECT_FALSE(call("preloadBehavior", {"dance"}).to<bool>());
 }
 
+TEST_F(Behaviors, CodeRunsWhereItIsAllowedAndStopsWhenAsked) {
+  std::vector<std::string> launched;
+  std::function<void(const std::string&)> ended;
+  int asked_to_end = 0;
+  BehaviorRunner::Hooks hooks;
+  hooks.running_changed = [this](const Names& running) { events.push_back(running); };
+  hooks.run_code = [&](const std::filesystem::path& file, auto when_ended) {
+    launched.push_back(file.filename().string());
+    ended = std::move(when_ended);
+    return [&asked_to_end] { ++asked_to_end; };
+  };
+  auto library = std::make_shared<BehaviorLibrary>(runner->library());
+  const auto scripted = std::make_shared<BehaviorRunner>(bench.link, library, hooks);
+  const auto service = makeAlBehaviorManager(scripted);
+
+  const auto run = service->call("runBehavior", {"pack"});
+  EXPECT_EQ(launched, Names{"behavior.xar"});
+  EXPECT_FALSE(run.isDone());
+  EXPECT_EQ(events, std::vector<Names>{{"pack/behavior_1"}});
+  bench.call(*service, "stopBehavior", {"pack"});
+  EXPECT_EQ(asked_to_end, 1);
+  EXPECT_FALSE(run.isDone());
+  ended("");
+  EXPECT_TRUE(run.isDone());
+  EXPECT_TRUE(events.back().empty());
+
+  const auto failing = service->call("runBehavior", {"pack"});
+  ended("it broke");
+  EXPECT_TRUE(failing.isDone());
+  // Without code it is a motion, as always.
+  bench.call(*service, "runBehavior", {"look"});
+  EXPECT_EQ(launched.size(), 2u);
+  EXPECT_NEAR(yaw(), 0.5, 1e-9);
+}
+
 TEST_F(Behaviors, TagsAndNatureAreThoseOfThePackagesManifest) {
   EXPECT_EQ(call("getTagList").to<Names>(), (Names{"look", "look around"}));
   EXPECT_EQ(call("getBehaviorTags", {"pack"}).to<Names>(), (Names{"look", "look around"}));
