@@ -59,6 +59,7 @@ class Stage {
 
   Played run(const Posture& start, double hold) {
     const bool lies = start.family == "LyingBack" || start.family == "LyingBelly";
+    unguard();
     put(lies ? standingFor(start) : start);
     if (lies) layDown(start);
     simulation_.advanceTo(simulation_.now() + kSettling);
@@ -123,6 +124,12 @@ class Stage {
     }
     ask(request);
     simulation_.advanceTo(simulation_.now() + fromSeconds(kLyingDown));
+  }
+
+  // Nothing holds a motion back, so that what it does to the robot is seen.
+  void unguard() {
+    ask(motion::SetCollisionProtection{false, false});
+    ask(motion::SetFallManager{false});
   }
 
   // One cycle limp, in which the commands take over where the joints are; then stiff.

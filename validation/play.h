@@ -58,7 +58,8 @@ using PlayWatch = std::function<void(const sim::World& world, double time)>;
 
 /// Puts a robot into its pose, waits a second, plays the motion on the robot's own motion engine
 /// and tells everything that went wrong: what lint() finds and what only physics shows, which is
-/// falls, motors at the end of their torque, and a robot that touches itself.
+/// falls, motors at the end of their torque, and a robot that touches itself. The robot's own
+/// guards, against collisions of its arms and falls, are off.
 /// @throws InputError for a pose the robot does not have.
 Played play(const motion::Timeline& timeline, const PlaySettings& settings,
             const PlayWatch& watch = {});
