@@ -4,94 +4,10 @@
 #include <iterator>
 
 #include "core/check.h"
-#include "motion/collision_guard.h"
-#include "motion/fall_manager.h"
-#include "motion/ground_sense.h"
-#include "motion/idle.h"
 #include "motion/limits.h"
-#include "motion/phases.h"
-#include "motion/pose_follower.h"
-#include "motion/postures.h"
-#include "motion/schedule.h"
-#include "motion/setpoints.h"
-#include "motion/walking.h"
-#include "motion/whole_body.h"
+#include "motion/motion_engine_impl.h"
 
 namespace nao::motion {
-
-class MotionEngine::Impl {
- public:
-  Impl(std::shared_ptr<const RobotModel> model, std::unique_ptr<Gait> gait,
-       RequestId last_accepted);
-
-  void accept(const MotionRequest& request);
-  JointCommand update(const SensorFrame& measured);
-  MotionState state() const;
-  std::vector<MotionOutcome> takeOutcomes();
-  void forgetCallers();
-  void archive(Archive& archive);
-
- private:
-  void take(RequestId id, const SetAngles& request);
-  void take(RequestId id, const Interpolate& request);
-  void take(RequestId id, const InterpolateWithSpeed& request);
-  void take(RequestId id, const SetStiffness& request);
-  void take(RequestId id, const InterpolateStiffness& request);
-  void take(RequestId id, const WakeUp& request);
-  void take(RequestId id, const Rest& request);
-  void take(RequestId id, const GoToPosture& request);
-  void take(RequestId id, const MoveTo& request) { walk(id, request); }
-  void take(RequestId id, const Move& request) { walk(id, request); }
-  void take(RequestId id, const MoveToward& request) { walk(id, request); }
-  void take(RequestId id, const MoveInit& request);
-  void take(RequestId id, const StopMove& request);
-  void take(RequestId id, const KillMove& request);
-  void take(RequestId id, const SetMoveArms& request);
-  void take(RequestId id, const SetIdle& request);
-  void take(RequestId id, const SetBreath& request);
-  void take(RequestId id, const SetCollisionProtection& request);
-  void take(RequestId id, const SetFallManager& request);
-  void take(RequestId id, const SetWalkProtection& request);
-  void take(RequestId id, const Kill& request);
-  void take(RequestId id, const KillAll& request);
-  void take(RequestId id, const InterpolatePoses& request);
-  void take(RequestId id, const SetPoses& request);
-  void take(RequestId id, const WalkSteps& request) { walk(id, request); }
-  void take(RequestId id, const WbGoToBalance& request);
-  template <class WholeBodyRequest>
-  void take(RequestId id, const WholeBodyRequest& request) {
-    whole_body_.take(request, body_.angle);
-    done(id);
-  }
-
-  void senseBalance(const SensorFrame& measured);
-  void protectFromFall();
-  void walk(RequestId id, const WalkOrder& order);
-  void addWholeBody(RequestId id, const char* name, std::unique_ptr<Phase> phase);
-  void report(RequestId id, MotionOutcome::Kind kind, std::string reason = {});
-  void done(RequestId id) { report(id, MotionOutcome::Kind::Done); }
-  void collectOutcomes();
-  JointSet limpJoints() const;
-  void followSensors(const JointSet& limp);
-
-  const std::shared_ptr<const RobotModel> model_;
-  const double dt_;  // [s]
-  const JointSet legs_;
-  const JointSet limbs_;
-  Body body_;
-  Schedule schedule_;
-  Setpoints setpoints_;
-  PoseGoals pose_goals_;
-  Walking walking_;
-  WholeBody whole_body_;
-  Idle idle_;
-  FallManager fall_;
-  GroundSense ground_;
-  CollisionGuard guard_;
-  SimTime time_{};
-  RequestId last_accepted_;
-  std::vector<MotionOutcome> outcomes_;
-};
 
 MotionEngine::Impl::Impl(std::shared_ptr<const RobotModel> model, std::unique_ptr<Gait> gait,
                          RequestId last_accepted)
@@ -106,6 +22,7 @@ MotionEngine::Impl::Impl(std::shared_ptr<const RobotModel> model, std::unique_pt
       idle_(*model_),
       fall_(model_),
       guard_(*model_),
+      spare_(model_),
       last_accepted_(last_accepted) {
   if (const Posture* start = model_->findPosture(model_->start_posture)) {
     body_.angle = start->angle;
@@ -116,169 +33,6 @@ void MotionEngine::Impl::accept(const MotionRequest& request) {
   std::visit([&](const auto& action) { take(request.id, action); }, request.action);
   last_accepted_ = request.id;
   collectOutcomes();
-}
-
-void MotionEngine::Impl::take(RequestId id, const SetAngles& request) {
-  for (std::size_t i = 0; i < request.joints.size(); ++i) {
-    const Joint joint = request.joints[i];
-    const Actuator& actuator = model_->actuators[index(joint)];
-    if (walking_.ordered() && legs_.test(index(joint))) continue;  // the steps have the legs
-    const double base = request.relative ? body_.angle[joint] : 0;
-    schedule_.release(joint);
-    pose_goals_.release(JointSet().set(index(joint)));
-    setpoints_.set(joint, std::clamp(base + request.angles[i], actuator.lower, actuator.upper),
-                   request.fraction[i] * actuator.max_velocity);
-  }
-  done(id);
-}
-
-void MotionEngine::Impl::take(RequestId id, const Interpolate& request) {
-  Job job{id, "angleInterpolation", {}, std::make_unique<FollowCurves>(request)};
-  for (const Curve& curve : request.curves) job.joints.set(index(curve.joint));
-  schedule_.add(std::move(job));
-}
-
-void MotionEngine::Impl::take(RequestId id, const InterpolateWithSpeed& request) {
-  Glide::Course course;
-  course.target = JointArray<double>(model_->jointCount());
-  course.fraction = request.fraction;
-  for (std::size_t i = 0; i < request.joints.size(); ++i) {
-    course.joints.set(index(request.joints[i]));
-    course.target[request.joints[i]] = request.angles[i];
-  }
-  schedule_.add(
-      {id, "angleInterpolationWithSpeed", course.joints, std::make_unique<Glide>(course)});
-}
-
-void MotionEngine::Impl::take(RequestId id, const InterpolatePoses& request) {
-  PoseFollower follower(model_, request.tracks, request.relative);
-  const JointSet joints = follower.joints();
-  schedule_.add(
-      {id, "positionInterpolation", joints, std::make_unique<FollowPoses>(std::move(follower))});
-}
-
-void MotionEngine::Impl::take(RequestId id, const SetPoses& request) {
-  PoseFollower follower(model_, request.tracks, request.relative);
-  done(id);
-  if (walking_.ordered() && (legs_ & follower.joints()).any()) return;  // the steps have the legs
-  follower.begin(body_.angle, walking_.gait() ? walking_.gait()->position() : Pose2{});
-  for (std::size_t i = 0; i < model_->jointCount(); ++i) {
-    if (follower.joints().test(i)) schedule_.release(toJoint(i));
-  }
-  setpoints_.clear(follower.joints());
-  pose_goals_.add(std::move(follower), request.fraction);
-}
-
-void MotionEngine::Impl::take(RequestId id, const WbGoToBalance& request) {
-  schedule_.add({id, "wbGoToBalance", legs_, std::make_unique<GoToBalance>(model_, request)});
-}
-
-void MotionEngine::Impl::take(RequestId id, const SetStiffness& request) {
-  for (std::size_t i = 0; i < request.joints.size(); ++i) {
-    body_.stiffness.set(request.joints[i], request.stiffness[i]);
-  }
-  done(id);
-}
-
-void MotionEngine::Impl::take(RequestId id, const InterpolateStiffness& request) {
-  body_.stiffness.run(id, request);
-}
-
-void MotionEngine::Impl::take(RequestId id, const WakeUp& /*request*/) {
-  addWholeBody(id, "wakeUp", wakeUp(*model_));
-}
-
-void MotionEngine::Impl::take(RequestId id, const Rest& /*request*/) {
-  addWholeBody(id, "rest", rest(*model_));
-}
-
-void MotionEngine::Impl::take(RequestId id, const GoToPosture& request) {
-  const Posture* posture = model_->findPosture(request.posture);
-  if (posture == nullptr) {
-    return report(id, MotionOutcome::Kind::Failed, "unknown posture " + request.posture);
-  }
-  addWholeBody(id, "goToPosture", goToPosture(*model_, *posture, request.fraction));
-}
-
-void MotionEngine::Impl::take(RequestId id, const MoveInit& /*request*/) {
-  const Posture* stand = model_->findPosture("StandInit");
-  if (walking_.active() || stand == nullptr) return done(id);
-  Job job{id, "moveInit", allJoints(*model_) & ~jointsOfGroup(*model_, "Head"),
-          glideTo(*model_, *stand, 1.0)};
-  walking_.stop(0);
-  schedule_.add(std::move(job));
-}
-
-void MotionEngine::Impl::take(RequestId id, const StopMove& /*request*/) { walking_.stop(id); }
-
-void MotionEngine::Impl::take(RequestId id, const KillMove& /*request*/) {
-  walking_.kill();
-  done(id);
-}
-
-void MotionEngine::Impl::take(RequestId id, const SetMoveArms& request) {
-  walking_.setMoveArms(request);
-  done(id);
-}
-
-void MotionEngine::Impl::take(RequestId id, const SetIdle& request) {
-  idle_.set(request, body_);
-  done(id);
-}
-
-void MotionEngine::Impl::take(RequestId id, const SetBreath& request) {
-  idle_.configure(request);
-  done(id);
-}
-
-void MotionEngine::Impl::take(RequestId id, const SetCollisionProtection& request) {
-  guard_.enable(0, request.left);
-  guard_.enable(1, request.right);
-  done(id);
-}
-
-void MotionEngine::Impl::take(RequestId id, const SetFallManager& request) {
-  fall_.enable(request.on);
-  done(id);
-}
-
-void MotionEngine::Impl::take(RequestId id, const SetWalkProtection& request) {
-  walking_.setProtection(request);
-  done(id);
-}
-
-void MotionEngine::Impl::take(RequestId id, const Kill& request) {
-  if (!walking_.stopRequest(request.id) && !schedule_.kill(request.id) &&
-      body_.stiffness.kill(request.id)) {
-    report(request.id, MotionOutcome::Kind::Killed);
-  }
-  collectOutcomes();
-  done(id);
-}
-
-void MotionEngine::Impl::take(RequestId id, const KillAll& /*request*/) {
-  walking_.stop(0);
-  schedule_.killAll();
-  setpoints_.clear(allJoints(*model_));
-  pose_goals_.release(allJoints(*model_));
-  for (const RequestId run : body_.stiffness.killAll()) report(run, MotionOutcome::Kind::Killed);
-  collectOutcomes();
-  done(id);
-}
-
-void MotionEngine::Impl::walk(RequestId id, const WalkOrder& order) {
-  if (!walking_.order(id, order)) return;
-  setpoints_.clear(legs_);
-  pose_goals_.release(legs_);
-  if (!schedule_.add({id, "move", legs_, walking_.phase(), false})) {
-    walking_.kill("too many motions wait for their joints");
-  }
-}
-
-void MotionEngine::Impl::addWholeBody(RequestId id, const char* name,
-                                      std::unique_ptr<Phase> phase) {
-  walking_.stop(0);
-  schedule_.add({id, name, allJoints(*model_), std::move(phase)});
 }
 
 JointCommand MotionEngine::Impl::update(const SensorFrame& measured) {
@@ -314,8 +68,9 @@ JointCommand MotionEngine::Impl::update(const SensorFrame& measured) {
   clipToLimits(*model_, allJoints(*model_) & ~limp, body_.angle);
   if (!body_.self_guarded) guard_.apply(before, dt_, body_.angle);
   if (limp == allJoints(*model_)) body_.awake = false;
+  spare_.update(dt_, measured, body_.angle, body_.stiffness.value());
   collectOutcomes();
-  return {body_.angle, body_.stiffness.value()};
+  return {body_.angle, spare_.value()};
 }
 
 void MotionEngine::Impl::senseBalance(const SensorFrame& measured) {
@@ -335,6 +90,7 @@ void MotionEngine::Impl::protectFromFall() {
   if (limpJoints() == allJoints(*model_)) return;
   schedule_.killAll();
   setpoints_.clear(allJoints(*model_));
+  pose_goals_.release(allJoints(*model_));
   for (const RequestId run : body_.stiffness.killAll()) report(run, MotionOutcome::Kind::Killed);
   schedule_.add(
       {0, "fallManager", allJoints(*model_), protectivePose(*model_, body_.measured), false});
@@ -358,7 +114,7 @@ MotionState MotionEngine::Impl::state() const {
   MotionState state;
   state.time = time_;
   state.last_accepted = last_accepted_;
-  state.command = {body_.angle, body_.stiffness.value()};
+  state.command = {body_.angle, spare_.value()};
   state.awake = body_.awake;
   state.stiffness = body_.stiffness.value();
   state.move_active = walking_.ordered();
@@ -417,6 +173,7 @@ void MotionEngine::Impl::archive(Archive& archive) {
   fall_.archive(archive);
   ground_.archive(archive);
   guard_.archive(archive);
+  spare_.archive(archive);
   archive.value(time_);
 }
 

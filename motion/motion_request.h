@@ -134,6 +134,12 @@ struct SetFallManager {
   bool on = true;
 };
 
+/// Whether joints that hold still are commanded no stiffer than they need; they are until told
+/// otherwise.
+struct SetSmartStiffness {
+  bool on = true;
+};
+
 /// Whether a walk demands ground under a foot, and stiff legs; it does until told otherwise.
 struct SetWalkProtection {
   bool foot_contact = true;
@@ -151,8 +157,9 @@ using MotionAction =
     std::variant<SetAngles, Interpolate, InterpolateWithSpeed, SetStiffness, InterpolateStiffness,
                  WakeUp, Rest, GoToPosture, MoveTo, Move, MoveToward, MoveInit, StopMove, KillMove,
                  SetMoveArms, SetIdle, SetBreath, SetCollisionProtection, SetFallManager,
-                 SetWalkProtection, Kill, KillAll, InterpolatePoses, SetPoses, WalkSteps, WbEnable,
-                 WbFootState, WbBalance, WbGoToBalance, WbEffector, WbEffectorTarget, WbOptimize>;
+                 SetWalkProtection, SetSmartStiffness, Kill, KillAll, InterpolatePoses, SetPoses,
+                 WalkSteps, WbEnable, WbFootState, WbBalance, WbGoToBalance, WbEffector,
+                 WbEffectorTarget, WbOptimize>;
 
 /// Everything a client can ask of the motion engine, checked for names, shapes and ranges before
 /// it is posted.

@@ -119,7 +119,12 @@ void AlMotionSwitches::declareReflexes(rpc::Service& service) {
             "Whether a fall ends in a protective pose and limp joints.")
       .at(246);
   declareSwitch(service, "PushRecovery", true, 247, 249);
-  declareSwitch(service, "SmartStiffness", true, 250, 251);
+  addMethod(service, "setSmartStiffnessEnabled", this, &Self::setSmartStiffnessEnabled,
+            "Whether a robot that holds still is no stiffer than it needs.", kEnable)
+      .at(250);
+  addMethod(service, "getSmartStiffnessEnabled", this, &Self::getSmartStiffnessEnabled,
+            "Whether a robot that holds still is no stiffer than it needs.")
+      .at(251);
   declareSwitch(service, "DiagnosisEffect", true, 252, 253);
 }
 
@@ -237,6 +242,11 @@ std::string AlMotionSwitches::isCollision(const std::string& chain) {
 void AlMotionSwitches::setFallManagerEnabled(bool enable) {
   link_.post(motion::SetFallManager{enable});
   fall_manager_ = enable;
+}
+
+void AlMotionSwitches::setSmartStiffnessEnabled(bool enable) {
+  link_.post(motion::SetSmartStiffness{enable});
+  smart_stiffness_ = enable;
 }
 
 void AlMotionSwitches::setExternalCollisionProtectionEnabled(const std::string& name, bool enable) {

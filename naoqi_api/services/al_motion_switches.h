@@ -9,9 +9,9 @@
 namespace nao::services {
 
 /// The switches of ALMotion. Those of the arms' swing, of breath and idle postures, the collision
-/// protection, the fall manager and the walk's protections act; the others belong to reflexes that
-/// are not simulated: they are remembered and told again, so that programs that set and check them
-/// run.
+/// protection, the fall manager, smart stiffness and the walk's protections act; the others belong
+/// to reflexes that are not simulated: they are remembered and told again, so that programs that
+/// set and check them run.
 class AlMotionSwitches {
  public:
   explicit AlMotionSwitches(RobotLink& link) : link_(link) {}
@@ -36,6 +36,8 @@ class AlMotionSwitches {
   std::string isCollision(const std::string& chain);
   void setFallManagerEnabled(bool enable);
   bool getFallManagerEnabled() { return fall_manager_; }
+  void setSmartStiffnessEnabled(bool enable);
+  bool getSmartStiffnessEnabled() { return smart_stiffness_; }
   void setExternalCollisionProtectionEnabled(const std::string& name, bool enable);
   bool getExternalCollisionProtectionEnabled(const std::string& name);
   void setOrthogonalSecurityDistance(float distance) { orthogonal_distance_ = distance; }
@@ -59,6 +61,7 @@ class AlMotionSwitches {
   motion::SetCollisionProtection collision_protection_;
   motion::SetWalkProtection walk_protection_;
   bool fall_manager_ = true;
+  bool smart_stiffness_ = true;
   std::map<std::string, bool> external_collision_protection_;  // by chain, Move or All; on at first
   std::map<std::string, bool> breath_;                         // by chain; off at first
   std::map<std::string, bool> idle_posture_;                   // by chain; off at first

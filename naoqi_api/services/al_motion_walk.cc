@@ -1,6 +1,7 @@
 #include "naoqi_api/services/al_motion_walk.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "naoqi_api/services/al_motion_move_config.h"
 #include "naoqi_api/services/al_motion_names.h"
@@ -144,8 +145,28 @@ rpc::Pending<void> AlMotionWalk::stopMove() { return link_.postAndWait(motion::S
 
 void AlMotionWalk::killMove() { link_.post(motion::KillMove{}); }
 
-rpc::Pending<std::vector<float>> AlMotionWalk::getRobotPosition(bool /*use_sensors*/) {
-  return link_.whenSettled([this] { return asFloats(link_.state()->position); });
+rpc::Pending<std::vector<float>> AlMotionWalk::getRobotPosition(bool use_sensors) {
+  return link_.whenSettled([this, use_sensors] {
+    return asFloats(use_sensors ? sensedPosition() : link_.state()->position);
+  });
+}
+
+// The foot that bears more is where it was commanded to be; from there the joints tell.
+Pose2 AlMotionWalk::sensedPosition() {
+  const auto state = link_.state();
+  const RobotModel& model = link_.model();
+  if (model.feet.size() != 2 || model.feet[0].outline.empty()) return state->position;
+  const auto sensors = link_.sensors();
+  const bool is_left = sensors->feet[0].total >= sensors->feet[1].total;
+  const Foot foot = is_left ? Foot::Left : Foot::Right;
+  const auto foot_in_robot = [&](const JointArray<double>& angle) {
+    kinematics_.update(angle);
+    const Pose X_RS = kinematics_.calcRobotFrame().inverse() * kinematics_.calcSole(foot);
+    const Vec3 ahead = X_RS.linear().col(0);
+    return Pose2{X_RS.translation().x(), X_RS.translation().y(), std::atan2(ahead.y(), ahead.x())};
+  };
+  const Pose2 place = compose(state->position, foot_in_robot(state->command.angle));
+  return compose(place, relativeTo(foot_in_robot(sensors->angle), Pose2{}));
 }
 
 rpc::Pending<std::vector<float>> AlMotionWalk::getNextRobotPosition() {

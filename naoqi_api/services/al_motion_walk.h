@@ -49,6 +49,7 @@ class AlMotionWalk {
   void killMove();
 
   rpc::Pending<std::vector<float>> getRobotPosition(bool use_sensors);
+  Pose2 sensedPosition();
   rpc::Pending<std::vector<float>> getNextRobotPosition();
   rpc::Pending<std::vector<float>> getRobotVelocity();
   rpc::Pending<rpc::Value> getFootSteps();

@@ -97,5 +97,20 @@ TEST_F(AlMotionGeometryTest, UnknownPlacesAreErrors) {
             "\tALMotion::getMass\n\tunknown chain or joint name: Tail");
 }
 
+TEST_F(AlMotionGeometryTest, SensedPositionKnowsThatALegLags) {
+  bench.call(*motion, "wakeUp", {});
+  const Floats commanded = floats("getRobotPosition", {false});
+  const Floats arrived = floats("getRobotPosition", {true});
+  EXPECT_NEAR(arrived[0], commanded[0], 1e-6);
+  bench.frame.feet[1].total = 0;  // it stands on its left leg; the right one is behind its command
+  bench.frame.angle[*bench.model->findJoint("RHipPitch")] += 0.2;
+  bench.cycle();
+  const Floats sensed = floats("getRobotPosition", {true});
+  EXPECT_LT(sensed[0],
+            commanded[0] - 0.015F);  // half of 0.2 rad on a leg of 0.25 m, at least 15 mm
+  EXPECT_GT(sensed[0], commanded[0] - 0.03F);
+  EXPECT_NEAR(sensed[1], commanded[1], 0.005);
+}
+
 }  // namespace
 }  // namespace nao::services
