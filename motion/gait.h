@@ -33,6 +33,12 @@ struct Velocity2 {
 /// Lists a configuration in an archive.
 void archiveConfig(Archive& archive, GaitConfig& config);
 
+/// How a walk answers what it senses; without either it is open loop.
+struct WalkFeedback {
+  bool balance = true;  // ankles damp rocking, soles are levelled, the sway is kept from growing
+  bool steps = true;    // landings move to catch a push (ALMotion.setPushRecoveryEnabled)
+};
+
 /// One planned support, in the odometry frame.
 struct Footstep {
   Foot foot = Foot::Left;
@@ -67,6 +73,9 @@ class Gait {
   /// follow the ordered steps not yet taken, or replace those that may still change (`clear`); any
   /// other walk ends with the step under way. (ALMotion.setFootSteps)
   virtual void walkSteps(const std::vector<StepOrder>& steps, bool clear) = 0;
+
+  /// From the next cycle on.
+  virtual void setFeedback(const WalkFeedback& feedback) = 0;
 
   /// Ends the walk in double support, feet side by side.
   virtual void stop() = 0;

@@ -48,6 +48,7 @@ class MotionEngine::Impl {
   void take(RequestId id, const StopMove& request);
   void take(RequestId id, const KillMove& request);
   void take(RequestId id, const SetMoveArms& request);
+  void take(RequestId id, const SetWalkFeedback& request);
   void take(RequestId id, const SetIdle& request);
   void take(RequestId id, const SetBreath& request);
   void take(RequestId id, const SetCollisionProtection& request);

@@ -110,6 +110,11 @@ struct SetMoveArms {
   bool right = true;
 };
 
+/// How walks answer what they sense; both ways until told otherwise.
+struct SetWalkFeedback {
+  WalkFeedback feedback;
+};
+
 /// What joints do while nobody commands them (setBreathEnabled, setIdlePostureEnabled): see Idle.
 struct SetIdle {
   enum class Mode : std::uint8_t { Nothing, Posture, Breath };
@@ -156,10 +161,10 @@ struct KillAll {};
 using MotionAction =
     std::variant<SetAngles, Interpolate, InterpolateWithSpeed, SetStiffness, InterpolateStiffness,
                  WakeUp, Rest, GoToPosture, MoveTo, Move, MoveToward, MoveInit, StopMove, KillMove,
-                 SetMoveArms, SetIdle, SetBreath, SetCollisionProtection, SetFallManager,
-                 SetWalkProtection, SetSmartStiffness, Kill, KillAll, InterpolatePoses, SetPoses,
-                 WalkSteps, WbEnable, WbFootState, WbBalance, WbGoToBalance, WbEffector,
-                 WbEffectorTarget, WbOptimize>;
+                 SetMoveArms, SetWalkFeedback, SetIdle, SetBreath, SetCollisionProtection,
+                 SetFallManager, SetWalkProtection, SetSmartStiffness, Kill, KillAll,
+                 InterpolatePoses, SetPoses, WalkSteps, WbEnable, WbFootState, WbBalance,
+                 WbGoToBalance, WbEffector, WbEffectorTarget, WbOptimize>;
 
 /// Everything a client can ask of the motion engine, checked for names, shapes and ranges before
 /// it is posted.

@@ -109,6 +109,11 @@ void MotionEngine::Impl::take(RequestId id, const SetMoveArms& request) {
   done(id);
 }
 
+void MotionEngine::Impl::take(RequestId id, const SetWalkFeedback& request) {
+  walking_.setFeedback(request.feedback);
+  done(id);
+}
+
 void MotionEngine::Impl::take(RequestId id, const SetIdle& request) {
   idle_.set(request, body_);
   done(id);

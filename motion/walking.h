@@ -42,6 +42,10 @@ class Walking {
   void setMoveArms(const SetMoveArms& arms) { move_arms_ = arms; }
   void setProtection(const SetWalkProtection& protection) { protection_ = protection; }
 
+  void setFeedback(const WalkFeedback& feedback) {
+    if (gait_) gait_->setFeedback(feedback);
+  }
+
   bool ordered() const { return state_ != State::Idle; }
   bool active() const { return state_ == State::Walking; }
   RequestId id() const { return id_; }

@@ -34,10 +34,14 @@ constexpr std::array<Side, 4> kSides{Side{"front", -1, 0}, Side{"back", 1, 0}, S
 struct Gait {
   const char* name;
   motion::MoveToward order;
+  bool closed_loop;
 };
-const std::array<Gait, 2>& gaits() {
-  static const std::array<Gait, 2> all{Gait{"forward", {1, 0, 0, {}}},
-                                       Gait{"on the spot", {1e-6, 0, 0, {}}}};
+const std::array<Gait, 4>& gaits() {
+  static const motion::MoveToward forward{1, 0, 0, {}}, on_the_spot{1e-6, 0, 0, {}};
+  static const std::array<Gait, 4> all{Gait{"forward", forward, true},
+                                       Gait{"on the spot", on_the_spot, true},
+                                       Gait{"forward, open loop", forward, false},
+                                       Gait{"on the spot, open loop", on_the_spot, false}};
   return all;
 }
 
@@ -49,6 +53,7 @@ class Walkers {
       walkers_.push_back({std::make_unique<Trial>(settings, seedOf(settings, run)), {}});
       Trial& trial = *walkers_.back().trial;
       trial.standUp();
+      trial.ask(motion::SetWalkFeedback{{gait.closed_loop, gait.closed_loop}});
       trial.ask(gait.order);
       trial.wait(kUnderWay);
       const SimTime periodic = trial.now();
@@ -108,7 +113,7 @@ double findSurvived(Walkers& walkers, const Side& side) {
 }
 
 struct Found {
-  std::string gait;
+  Gait gait;
   std::array<double, 4> survived{};  // [N] by side
   std::array<double, 4> falls{};     // at the force asked for, by side
   int cases = 0;
@@ -117,7 +122,7 @@ struct Found {
 
 Found examine(const ExperimentSettings& settings, const Gait& gait) {
   Walkers walkers(settings, gait);
-  Found found{gait.name, {}, {}, walkers.cases(), 0};
+  Found found{gait, {}, {}, walkers.cases(), 0};
   for (std::size_t i = 0; i < kSides.size(); ++i) {
     if (settings.newton > 0) {
       found.falls[i] = walkers.countFalls(kSides[i], settings.newton, walkers.cases());
@@ -136,14 +141,30 @@ Panel plotRows(const std::vector<Found>& all, bool falls) {
     for (std::size_t i = 0; i < kSides.size(); ++i) {
       bars.x.push_back(static_cast<double>(bars.x.size()));
       bars.y.push_back(falls ? found.falls[i] : found.survived[i]);
-      panel.categories.push_back(found.gait + ", " + kSides[i].name);
+      panel.categories.push_back(std::string(found.gait.name) + ", " + kSides[i].name);
     }
   }
   panel.series = {bars};
   return panel;
 }
 
-// A side's figure is the worst of all gaits.
+void addFigures(const std::vector<Found>& all, bool closed_loop, bool falls_counted,
+                Report& report) {
+  const std::string prefix = closed_loop ? "" : "open_loop_";
+  for (std::size_t i = 0; i < kSides.size(); ++i) {
+    double worst = kStrongest, falls = 0;
+    for (const Found& found : all) {
+      if (found.gait.closed_loop != closed_loop) continue;
+      worst = std::min(worst, found.survived[i]);
+      falls += found.falls[i];
+    }
+    const std::string name = kSides[i].name;
+    if (falls_counted) report.figures.push_back({prefix + "falls_" + name, falls});
+    if (!falls_counted) report.figures.push_back({prefix + "survived_" + name + "_N", worst});
+  }
+}
+
+// A side's figure is the worst of all gaits; those of the open loop have their own.
 void fillReport(const ExperimentSettings& settings, const std::vector<Found>& all, Report& report) {
   const bool given = settings.newton > 0;
   TextTable table;
@@ -153,8 +174,8 @@ void fillReport(const ExperimentSettings& settings, const std::vector<Found>& al
   for (const Side& side : kSides) table.head.push_back(std::string("from ") + side.name);
   std::vector<Row> rows;
   for (const Found& found : all) {
-    Row row{{"walking", found.gait}, {"cases", static_cast<double>(found.cases)}};
-    table.lines.push_back({found.gait, std::to_string(found.cases)});
+    Row row{{"walking", std::string(found.gait.name)}, {"cases", static_cast<double>(found.cases)}};
+    table.lines.push_back({found.gait.name, std::to_string(found.cases)});
     for (std::size_t i = 0; i < kSides.size(); ++i) {
       const double value = given ? found.falls[i] : found.survived[i];
       row.emplace_back(
@@ -165,16 +186,7 @@ void fillReport(const ExperimentSettings& settings, const std::vector<Found>& al
     rows.push_back(std::move(row));
     report.hash = combineHash(report.hash, found.hash);
   }
-  for (std::size_t i = 0; i < kSides.size(); ++i) {
-    double worst = all.front().survived[i], falls = 0;
-    for (const Found& found : all) {
-      worst = std::min(worst, found.survived[i]);
-      falls += found.falls[i];
-    }
-    const std::string name = kSides[i].name;
-    if (given) report.figures.push_back({"falls_" + name, falls});
-    if (!given) report.figures.push_back({"survived_" + name + "_N", worst});
-  }
+  for (const bool closed_loop : {true, false}) addFigures(all, closed_loop, given, report);
   report.figures.push_back({"rows", std::move(rows)});
   report.tables.push_back(std::move(table));
 }

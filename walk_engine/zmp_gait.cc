@@ -42,6 +42,7 @@ class ZmpGait final : public motion::Gait {
   void walkToward(double x, double y, double theta, const GaitConfig& config) override;
   void walkAt(const Velocity2& velocity, const GaitConfig& config) override;
   void walkSteps(const std::vector<motion::StepOrder>& steps, bool clear) override;
+  void setFeedback(const motion::WalkFeedback& feedback) override { feedback_ = feedback; }
   void stop() override;
   void kill() override;
   bool active() const override { return phase_ != Phase::Idle; }
@@ -90,6 +91,7 @@ class ZmpGait final : public motion::Gait {
 
   Phase phase_ = Phase::Idle;
   Goal goal_;
+  motion::WalkFeedback feedback_;
   std::int64_t tick_ = 0;
   SimTime now_{};
   Rise rise_;
@@ -190,7 +192,7 @@ void ZmpGait::begin(const JointCommand& command) {
 
 void ZmpGait::walk(const SensorFrame& measured, JointCommand& command) {
   ++tick_;
-  plan_.setInset(sway_.inset());
+  plan_.setInset(feedback_.balance ? sway_.inset() : 0);
   if (phase_ == Phase::Rising && rise_.left() * dt_ <= kOverlap) {
     phase_ = Phase::Walking;
     plan_.follow(goal_, tick_);
@@ -250,7 +252,9 @@ Eigen::Vector2d ZmpGait::calcDeviation(const SensorFrame& measured) const {
 // A body that falls is caught where the swinging foot lands.
 void ZmpGait::catchFall(const SensorFrame& measured) {
   const PlannedStep* step = plan_.current();
-  if (phase_ != Phase::Walking || !step || !standing()[index(otherFoot(step->swing))]) return;
+  if (!feedback_.steps || phase_ != Phase::Walking || !step ||
+      !standing()[index(otherFoot(step->swing))])
+    return;
   const double progress = static_cast<double>(tick_ - step->lift()) / step->single_support;
   if (progress < 0 || progress > kCommitted) return;
   const Eigen::Vector2d deviation = tuning_.step_gain * calcDeviation(measured);
@@ -290,6 +294,7 @@ void ZmpGait::pose(JointArray<double>& angle, bool resting) {
 
 // What the sensors say of the body, into the ankles.
 void ZmpGait::balance(const SensorFrame& measured, JointArray<double>& angle) {
+  if (!feedback_.balance) return;
   const StanceDemand demand = calcDemand();
   levelling_.learn(measured.angle_y - demand.pitch, standing(), dt_);
   sway_.watch(measured.angle_x - demand.roll, standing());
@@ -351,6 +356,8 @@ void ZmpGait::archive(Archive& archive) {
   plan_.archive(archive);
   archive.value(phase_);
   goal_.archive(archive);
+  archive.value(feedback_.balance);
+  archive.value(feedback_.steps);
   archive.value(tick_);
   archive.value(now_);
   rise_.archive(archive);

@@ -94,6 +94,7 @@ class FakeGait final : public Gait {
     Velocity2 velocity;
     GaitConfig config;
     std::vector<StepOrder> ordered;
+    WalkFeedback feedback;
     int steps = 20;      // cycles of a walkTo
     double legs = -0.4;  // [rad]
     double arms = 1.2;   // [rad]
@@ -124,6 +125,7 @@ class FakeGait final : public Gait {
     log_->ordered = steps;
     left_ = log_->steps;
   }
+  void setFeedback(const WalkFeedback& feedback) override { log_->feedback = feedback; }
   void stop() override {
     log_->calls.push_back("stop");
     left_ = std::min(left_, 3);
