@@ -118,7 +118,12 @@ void AlMotionSwitches::declareReflexes(rpc::Service& service) {
   addMethod(service, "getFallManagerEnabled", this, &Self::getFallManagerEnabled,
             "Whether a fall ends in a protective pose and limp joints.")
       .at(246);
-  declareSwitch(service, "PushRecovery", true, 247, 249);
+  addMethod(service, "setPushRecoveryEnabled", this, &Self::setPushRecoveryEnabled,
+            "Whether a walk steps where it catches a push.", kEnable)
+      .at(247);
+  addMethod(service, "getPushRecoveryEnabled", this, &Self::getPushRecoveryEnabled,
+            "Whether a walk steps where it catches a push.")
+      .at(249);
   addMethod(service, "setSmartStiffnessEnabled", this, &Self::setSmartStiffnessEnabled,
             "Whether a robot that holds still is no stiffer than it needs.", kEnable)
       .at(250);
@@ -212,6 +217,11 @@ bool AlMotionSwitches::getMoveArmsEnabled(const std::string& chain) {
 
 rpc::Value AlMotionSwitches::getWalkArmsEnabled() {
   return rpc::Value::list({arms_.left, arms_.right});
+}
+
+void AlMotionSwitches::setPushRecoveryEnabled(bool enable) {
+  walk_feedback_.feedback.steps = enable;
+  link_.post(walk_feedback_);
 }
 
 bool AlMotionSwitches::setCollisionProtectionEnabled(const std::string& chain, bool enable) {

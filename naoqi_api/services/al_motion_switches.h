@@ -9,9 +9,9 @@
 namespace nao::services {
 
 /// The switches of ALMotion. Those of the arms' swing, of breath and idle postures, the collision
-/// protection, the fall manager, smart stiffness and the walk's protections act; the others belong
-/// to reflexes that are not simulated: they are remembered and told again, so that programs that
-/// set and check them run.
+/// protection, push recovery, the fall manager, smart stiffness and the walk's protections act; the
+/// others belong to reflexes that are not simulated: they are remembered and told again, so that
+/// programs that set and check them run.
 class AlMotionSwitches {
  public:
   explicit AlMotionSwitches(RobotLink& link) : link_(link) {}
@@ -34,6 +34,8 @@ class AlMotionSwitches {
   bool setCollisionProtectionEnabled(const std::string& chain, bool enable);
   bool getCollisionProtectionEnabled(const std::string& chain);
   std::string isCollision(const std::string& chain);
+  void setPushRecoveryEnabled(bool enable);
+  bool getPushRecoveryEnabled() { return walk_feedback_.feedback.steps; }
   void setFallManagerEnabled(bool enable);
   bool getFallManagerEnabled() { return fall_manager_; }
   void setSmartStiffnessEnabled(bool enable);
@@ -60,6 +62,7 @@ class AlMotionSwitches {
   motion::SetMoveArms arms_;
   motion::SetCollisionProtection collision_protection_;
   motion::SetWalkProtection walk_protection_;
+  motion::SetWalkFeedback walk_feedback_;
   bool fall_manager_ = true;
   bool smart_stiffness_ = true;
   std::map<std::string, bool> external_collision_protection_;  // by chain, Move or All; on at first

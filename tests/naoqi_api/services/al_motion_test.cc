@@ -209,6 +209,15 @@ TEST_F(AlMotionTest, ArmsOfTheWalkCanBeStilled) {
   EXPECT_NEAR(call("getAngles", {"RShoulderPitch", false}).to<Floats>()[0], 1.2, 1e-6);
 }
 
+TEST_F(AlMotionTest, PushRecoveryIsASwitchOfTheWalk) {
+  EXPECT_TRUE(call("getPushRecoveryEnabled").to<bool>());
+  call("setPushRecoveryEnabled", {false});
+  bench.run(1);
+  EXPECT_FALSE(call("getPushRecoveryEnabled").to<bool>());
+  EXPECT_FALSE(bench.gait->feedback.steps);
+  EXPECT_TRUE(bench.gait->feedback.balance);
+}
+
 TEST_F(AlMotionTest, SpacesAreChecked) {
   EXPECT_EQ(errorOf("getPosition", {"Torso", 7, true}),
             "\tALMotion::getPosition\n\tunknown space 7: 0 is the torso's, 1 the world's, 2 the "
