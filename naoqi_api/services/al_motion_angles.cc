@@ -9,6 +9,25 @@ namespace {
 
 const rpc::Argument kNames{"names", "Name of a joint or chain, or a list of names."};
 const rpc::Argument kFraction{"fractionMaxSpeed", "Part of the maximum speed, up to 1."};
+const rpc::Argument kKeys{"controlPoints",
+                          "A list of keys per joint: an angle [rad], or [angle, [type, dTime, "
+                          "dAngle], [type, dTime, dAngle]]."};
+
+// One switch, or one per joint that all say the same: a motion is absolute or relative as a whole.
+bool readAbsolute(const rpc::Value& value, std::size_t joints) {
+  const bool is_list = value.isList();
+  const auto switches = is_list ? value.to<std::vector<bool>>() : std::vector{value.to<bool>()};
+  if (is_list && switches.size() != joints) {
+    throw rpc::CallError("expected one isAbsolute per joint, got " +
+                         std::to_string(switches.size()) + " for " + std::to_string(joints) +
+                         " joints");
+  }
+  const bool first = !switches.empty() && switches.front();
+  for (const bool one : switches) {
+    if (one != first) throw rpc::CallError("joints must be all absolute or all relative");
+  }
+  return first;
+}
 
 }  // namespace
 
@@ -28,10 +47,7 @@ void AlMotionAngles::declare(rpc::Service& service) {
   addMethod(service, "angleInterpolationBezier", this, &Self::angleInterpolationBezier,
             "Moves joints along Bezier curves and waits until they are there.",
             rpc::Argument{"jointNames", "Names of the joints."},
-            rpc::Argument{"times", "A list of times [s] per joint."},
-            rpc::Argument{"controlPoints",
-                          "A list of keys per joint: an angle [rad], or [angle, [type, dTime, "
-                          "dAngle], [type, dTime, dAngle]]."})
+            rpc::Argument{"times", "A list of times [s] per joint."}, kKeys)
       .at(129);
   addMethod(service, "setAngles", this, &Self::setAngles,
             "Starts moving joints to angles and does not wait.", kNames,
@@ -56,6 +72,15 @@ void AlMotionAngles::declare(rpc::Service& service) {
             "Closes a hand, waits until it is closed, and switches its motor off.",
             rpc::Argument{"handName", "LHand or RHand."})
       .at(134);
+  addMethod(
+      service, "animation", this, &Self::animation,
+      "Moves joints along Bezier curves, from where they are if relative, and waits.",
+      rpc::Argument{"jointNames", "Names of the joints."},
+      rpc::Argument{"times", "A list of times [s] per joint."}, kKeys,
+      rpc::Argument{"isAbsolute",
+                    "True, or false: the angles are added to the present ones; "
+                    "or the same for each joint."},
+      rpc::Argument{"supportSequence", "Empty: feet that carry the robot are not simulated."});
 }
 
 void AlMotionAngles::setAngles(const rpc::Value& names, const rpc::Value& angles, float fraction) {
@@ -150,6 +175,25 @@ rpc::Pending<void> AlMotionAngles::angleInterpolationBezier(const std::vector<st
   request.smooth = false;
   request.curves =
       readBezierCurves(link_.model(), link_.state()->command.angle, names, times, control_points);
+  return link_.postAndWait(std::move(request));
+}
+
+// Relative keys are curves from 0, which the engine moves to where the joint is.
+rpc::Pending<void> AlMotionAngles::animation(const std::vector<std::string>& names,
+                                             const rpc::Value& times,
+                                             const rpc::Value& control_points,
+                                             const rpc::Value& is_absolute,
+                                             const rpc::Value& support_sequence) {
+  const auto* steps = support_sequence.findItems();
+  if (steps != nullptr && !steps->empty()) {
+    throw rpc::CallError("a support sequence is not simulated: expected []");
+  }
+  const JointArray<double> here = link_.state()->command.angle;
+  motion::Interpolate request;
+  request.smooth = false;
+  request.relative = !readAbsolute(is_absolute, names.size());
+  request.curves = readBezierCurves(link_.model(), request.relative ? JointArray<double>{} : here,
+                                    names, times, control_points);
   return link_.postAndWait(std::move(request));
 }
 

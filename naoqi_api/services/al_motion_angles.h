@@ -27,6 +27,9 @@ class AlMotionAngles {
   rpc::Pending<void> angleInterpolationBezier(const std::vector<std::string>& names,
                                               const rpc::Value& times,
                                               const rpc::Value& control_points);
+  rpc::Pending<void> animation(const std::vector<std::string>& names, const rpc::Value& times,
+                               const rpc::Value& control_points, const rpc::Value& is_absolute,
+                               const rpc::Value& support_sequence);
   rpc::Pending<void> openHand(const std::string& hand) { return moveHand(hand, 1); }
   rpc::Pending<void> closeHand(const std::string& hand) { return moveHand(hand, 0); }
 

@@ -1,5 +1,8 @@
 #include "naoqi_api/services/al_motion_whole_body.h"
 
+#include <cmath>
+
+#include "motion/kinematics.h"
 #include "naoqi_api/services/al_motion_names.h"
 #include "naoqi_api/services/naoqi_method.h"
 
@@ -10,6 +13,9 @@ using rpc::Argument;
 
 // Free: the centre of mass goes over a foot in this time at full speed, without overshoot.
 constexpr double kQuickest = 0.5;  // [s]
+
+// Free: quick enough for a ball, slow enough that a camera image stays sharp.
+constexpr double kTrackerFraction = 0.3;  // of the head's top speed
 
 motion::Feet readFeet(const std::string& name) {
   if (name == "Legs") return motion::Feet::Both;
@@ -71,6 +77,14 @@ void AlMotionWholeBody::declare(rpc::Service& service) {
   addMethod(service, "wbGoToBalanceWithSpeed", this, &Self::wbGoToBalanceWithSpeed,
             "As wbGoToBalance, at a part of full speed.", feet,
             Argument{"fractionMaxSpeed", "Part of the maximum speed, up to 1."});
+  addMethod(service, "updateTrackerTarget", this, &Self::updateTrackerTarget,
+            "Starts turning the head to a target and does not wait.",
+            Argument{"pTargetPositionWy", "Turn about y in the robot's frame [rad]."},
+            Argument{"pTargetPositionWz", "Turn about z in the robot's frame [rad]."},
+            Argument{"pTimeSinceDetectionMs", "Age of the target [ms]; changes nothing."},
+            Argument{"pUseOfWholeBody",
+                     "True: as wbSetEffectorControl of an enabled Head, false: the head alone."})
+      .at(270);
 }
 
 void AlMotionWholeBody::wbEnable(bool on) { link_.post(motion::WbEnable{on}); }
@@ -124,6 +138,30 @@ void AlMotionWholeBody::wbEnableEffectorOptimization(const std::string& chain, b
   if (chain == "LLeg" || chain == "RLeg" || chain == "Torso") return;
   checkEffector(link_.model(), chain);
   link_.post(motion::WbOptimize{chain, on});
+}
+
+void AlMotionWholeBody::updateTrackerTarget(float wy, float wz, int /*age_ms*/, bool whole_body) {
+  const Vec3 turn(0, finite(wy), finite(wz));
+  if (whole_body) {
+    link_.post(motion::WbEffectorTarget{"Head", turn});
+  } else {
+    lookAlong(rotationFromRpy(turn.x(), turn.y(), turn.z()) * Vec3::UnitX());
+  }
+}
+
+void AlMotionWholeBody::lookAlong(const Vec3& direction_R) {
+  const auto yaw = link_.model().findJoint("HeadYaw");
+  const auto pitch = link_.model().findJoint("HeadPitch");
+  if (!yaw || !pitch) throw rpc::CallError("this robot has no head to turn");
+  motion::Kinematics body(link_.sharedModel());
+  body.update(link_.state()->command.angle);
+  const Vec3 direction = body.calcRobotFrame().linear() * direction_R;  // in the torso's frame
+  const double level = std::hypot(direction.x(), direction.y());
+  link_.post(motion::SetAngles{
+      {*yaw, *pitch},
+      {std::atan2(direction.y(), direction.x()), std::atan2(-direction.z(), level)},
+      {kTrackerFraction, kTrackerFraction},
+      false});
 }
 
 }  // namespace nao::services

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/frames.h"
 #include "naoqi_api/robot_link.h"
 #include "naoqi_api/service.h"
 
@@ -22,6 +23,8 @@ class AlMotionWholeBody {
   void wbEnableEffectorControl(const std::string& chain, bool on);
   void wbSetEffectorControl(const std::string& chain, const rpc::Value& target);
   void wbEnableEffectorOptimization(const std::string& chain, bool on);
+  void updateTrackerTarget(float wy, float wz, int age_ms, bool whole_body);
+  void lookAlong(const Vec3& direction_R);  // with the head; in the robot's frame
 
   RobotLink& link_;
 };

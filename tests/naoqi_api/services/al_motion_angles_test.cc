@@ -190,6 +190,24 @@ TEST_F(AlMotionAnglesTest, BezierHandlesShapeTheWay) {
   EXPECT_NEAR(angle("HeadYaw"), 0.1, kFloat);
 }
 
+TEST_F(AlMotionAnglesTest, AnAnimationIsAbsoluteOrAddsToWhereJointsAre) {
+  const Value names = list({"HeadYaw", "HeadPitch"});
+  const Value times = list({list({0.2F, 0.4F}), list({0.3F})});
+  const Value keys = list({list({0.5F, 0.1F}), list({0.2F})});
+  call("animation", {names, times, keys, true, list({})});
+  EXPECT_NEAR(angle("HeadYaw"), 0.1, kFloat);
+  EXPECT_NEAR(angle("HeadPitch"), 0.2, kFloat);
+  call("animation", {names, times, keys, list({false, false}), list({})});
+  EXPECT_NEAR(angle("HeadYaw"), 0.2, kFloat);
+  EXPECT_NEAR(angle("HeadPitch"), 0.4, kFloat);
+  EXPECT_EQ(errorOf("animation", {names, times, keys, list({false, true}), list({})}),
+            "\tALMotion::animation\n\tjoints must be all absolute or all relative");
+  EXPECT_EQ(errorOf("animation", {names, times, keys, list({true}), list({})}),
+            "\tALMotion::animation\n\texpected one isAbsolute per joint, got 1 for 2 joints");
+  EXPECT_EQ(errorOf("animation", {names, times, keys, true, list({"LLeg"})}),
+            "\tALMotion::animation\n\ta support sequence is not simulated: expected []");
+}
+
 TEST_F(AlMotionAnglesTest, MistakesAreErrorsInNaoQisShape) {
   EXPECT_EQ(errorOf("setAngles", {"Elbow", 0.5F, 0.1F}),
             "\tALMotion::setAngles\n\tunknown joint or chain name: Elbow");

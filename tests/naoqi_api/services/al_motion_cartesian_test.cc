@@ -62,6 +62,23 @@ TEST_F(AlMotionCartesianTest, WhatDoesNotFitIsAnError) {
   EXPECT_NE(error("wbSetEffectorControl", {"Head", Value::list({1.F})}), "");
 }
 
+TEST_F(AlMotionCartesianTest, ATrackersTargetTurnsTheHeadInTheRobotsFrame) {
+  bench.call(*motion, "updateTrackerTarget", {0.2F, 0.5F, 40, false});
+  bench.run(1);
+  Floats head = position("Head");
+  EXPECT_NEAR(head[4], 0.2, 1e-3);
+  EXPECT_NEAR(head[5], 0.5, 1e-3);
+  bench.call(*motion, "updateTrackerTarget", {0.0F, 0.0F, 40, true});  // no effector is enabled
+  bench.run(1);
+  EXPECT_NEAR(position("Head")[5], head[5], 1e-6);
+  bench.call(*motion, "wbEnableEffectorControl", {"Head", true});
+  bench.call(*motion, "updateTrackerTarget", {0.1F, -0.3F, 40, true});
+  bench.run(3);
+  head = position("Head");
+  EXPECT_NEAR(head[4], 0.1, 0.02);
+  EXPECT_NEAR(head[5], -0.3, 0.02);
+}
+
 TEST_F(AlMotionCartesianTest, GoToBalanceTellsWhetherItIsThere) {
   bench.call(*motion, "wbEnable", {true});
   bench.call(*motion, "wbFootState", {"Fixed", "Legs"});
