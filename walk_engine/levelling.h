@@ -12,8 +12,7 @@ namespace nao::walk {
 
 /// Learns by how much each sole is out of level. A leg whose joints' zeros are off stands on toe or
 /// heel, leans the body and turns it a little with every step. While one foot alone carries the
-/// robot (by the plan and by the other foot's force sensors), the torso's measured pitch differs
-/// from the planned one by just that, so
+/// robot, the torso's measured pitch differs from the planned one by just that, so
 ///   d offset / dt = (measured - planned) / level_time
 /// is added to that foot's ankle pitch. What a foot has learned it keeps. Roll is left alone: the
 /// hips sag towards the swinging leg, which no ankle should answer for.

@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "motion/ground_sense.h"
 #include "walk_engine/balance.h"
 #include "walk_engine/com_planner.h"
 #include "walk_engine/footstep_plan.h"
@@ -76,7 +75,6 @@ class ZmpGait final : public motion::Gait {
   void swingArms(JointCommand& command);
   void balance(const SensorFrame& measured, JointArray<double>& angle);
   std::array<bool, 2> standing() const;
-  std::array<bool, 2> carrying(const SensorFrame& measured) const;
   Pose2 placeOf(Foot foot) const;
 
   std::shared_ptr<const RobotModel> model_;
@@ -298,7 +296,7 @@ void ZmpGait::pose(JointArray<double>& angle, bool resting) {
 void ZmpGait::balance(const SensorFrame& measured, JointArray<double>& angle) {
   if (!feedback_.balance) return;
   const StanceDemand demand = calcDemand();
-  levelling_.learn(measured.angle_y - demand.pitch, carrying(measured), dt_);
+  levelling_.learn(measured.angle_y - demand.pitch, standing(), dt_);
   sway_.watch(measured.angle_x - demand.roll, standing());
   levelling_.apply(angle);
   balance_.apply(measured.gyroscope, standing(), angle);
@@ -309,15 +307,6 @@ std::array<bool, 2> ZmpGait::standing() const {
   const PlannedStep* step = plan_.current();
   if (step && tick_ > step->lift()) stands[index(step->swing)] = false;
   return stands;
-}
-
-// The feet that carry the robot: both, too, while the swinging one still feels the ground.
-std::array<bool, 2> ZmpGait::carrying(const SensorFrame& measured) const {
-  std::array<bool, 2> carries = standing();
-  for (std::size_t i = 0; i < 2; ++i) {
-    carries[i] = carries[i] || motion::GroundSense::touches(measured.feet[i]);
-  }
-  return carries;
 }
 
 // The sole's place on the floor now, swinging or not.
