@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/robot_model.h"
+#include "validation/log/robot_log.h"
+
+namespace nao::validation {
+
+/// The random part of a joint's runs, as the repeats of a set show it.
+struct JointNoise {
+  double torque_sd = 0;    // [N m] of the Ornstein-Uhlenbeck torque
+  double torque_time = 0;  // [s] its correlation time
+  double start_sd = 0;     // [s] of the moment a run begins, drawn once per run
+  double quantum = 0;      // [rad] of the encoder
+};
+
+/// One motion of one joint as the diagnosis sees it: every repeat on one grid of times.
+struct JointMotion {
+  std::string motion;
+  Split split = Split::Fit;
+  double dt = 0;  // [s] between rows
+  /// A row per time, a column per signal: the angle [rad], then the current [A] where it is known.
+  std::vector<Eigen::MatrixXd> repeats;
+};
+
+/// Predicts one joint's signals under any list of causes: the model of the joint level. The other
+/// joints move as they were measured. One object may be asked by several threads at once.
+class JointSimulator {
+ public:
+  virtual ~JointSimulator() = default;
+
+  virtual std::string joint() const = 0;
+  virtual const std::vector<JointMotion>& measured() const = 0;
+
+  /// One run of measured()[motion] with the model's own effects and these, on the grid of its
+  /// repeats; the same `stream` draws the same random numbers whatever the causes. Noise of zero:
+  /// the noise-free run.
+  virtual Eigen::MatrixXd run(const std::vector<EffectSetting>& causes, std::size_t motion,
+                              std::uint64_t stream, const JointNoise& noise) const = 0;
+};
+
+}  // namespace nao::validation
