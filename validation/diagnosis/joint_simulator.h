@@ -40,8 +40,15 @@ class JointSimulator {
   /// One run of measured()[motion] with the model's own effects and these, on the grid of its
   /// repeats; the same `stream` draws the same random numbers whatever the causes. Noise of zero:
   /// the noise-free run.
+  /// A cause is a deviation from the model: what the model's own effect of that name already does
+  /// adds to it (merge_effects.h).
   virtual Eigen::MatrixXd run(const std::vector<EffectSetting>& causes, std::size_t motion,
                               std::uint64_t stream, const JointNoise& noise) const = 0;
+
+  /// How far from neutral the model's own effect of that name already is at this joint.
+  virtual double present(const std::string& /*effect*/, const std::string& /*parameter*/) const {
+    return 0;
+  }
 };
 
 }  // namespace nao::validation
