@@ -1,0 +1,54 @@
+#include "validation/log/robot_log.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/check.h"
+#include "validation/log/robot_log_files.h"
+
+namespace nao::validation {
+namespace {
+
+void writeFile(const std::string& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
+  if (!(out << text)) throw InputError(file + ": the file can not be written");
+}
+
+}  // namespace
+
+const char* nameOf(Split split) {
+  switch (split) {
+    case Split::Fit:
+      return "fit";
+    case Split::Select:
+      return "select";
+    case Split::Test:
+      return "test";
+  }
+  return "";
+}
+
+const Column* LogRun::find(const std::string& name) const {
+  const auto found = columns.find(name);
+  return found == columns.end() ? nullptr : &found->second;
+}
+
+LogSet readLogSet(const std::string& folder) {
+  const std::string meta = folder + "/meta.json";
+  LogSet set = parseMeta(readPacked(meta), meta);
+  for (LogRun& run : set.runs) {
+    const std::string file = folder + "/" + run.file;
+    parseRows(readPacked(file), file, set, run);
+  }
+  return set;
+}
+
+void writeLogSet(const LogSet& set, const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw InputError(folder + ": the folder can not be made: " + error.message());
+  writeFile(folder + "/meta.json", formatMeta(set));
+  for (const LogRun& run : set.runs) writeFile(folder + "/" + run.file, formatRows(run));
+}
+
+}  // namespace nao::validation
