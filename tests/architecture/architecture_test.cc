@@ -29,13 +29,21 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
 
 // Which folders may know a library: the others must not see its types.
 const std::map<std::string, std::set<std::string>> kOnlyHere = {
-    {"Simbody", {"sim"}},         {"SimTK", {"sim"}},
-    {"msgpack", {"naoqi_api"}},   {"boost/asio", {"daemon"}},
-    {"boost/beast", {"daemon"}},  {"yaml-cpp", {"core"}},
-    {"urdf_", {"core"}},          {"tinyxml.h", {"core"}},
-    {"tinyxml2", {"motion"}},     {"zlib.h", {"motion", "validation"}},
-    {"nlohmann", {"validation"}}, {"spdlog", {"daemon", "app"}},
-    {"opencv2", {}},      {"CLI/", {"app"}}};
+    {"Simbody", {"sim"}},
+    {"SimTK", {"sim"}},
+    {"msgpack", {"naoqi_api"}},
+    {"boost/asio", {"daemon"}},
+    {"boost/beast", {"daemon"}},
+    {"yaml-cpp", {"core"}},
+    {"urdf_", {"core"}},
+    {"tinyxml.h", {"core"}},
+    {"tinyxml2", {"motion"}},
+    {"zlib.h", {"motion", "validation"}},
+    {"nlohmann", {"validation"}},
+    {"ceres/", {"validation"}},
+    {"spdlog", {"daemon", "app"}},
+    {"opencv2", {}},
+    {"CLI/", {"app"}}};
 
 struct Include {
   std::string folder;

@@ -1,0 +1,34 @@
+#include "validation/diagnosis/least_squares.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace nao::validation {
+namespace {
+
+Eigen::VectorXd decay(double size, double rate) {
+  Eigen::VectorXd curve(50);
+  for (int i = 0; i < 50; ++i) curve[i] = size * std::exp(-rate * 0.1 * i);
+  return curve;
+}
+
+FitPoint fit(double upper) {
+  FitSpace space{{1, 0.5}, {0, 0}, {upper, 10}, {1e-3, 1e-3}, 20};
+  return leastSquares(
+      [](const std::vector<double>& x) -> Eigen::VectorXd {
+        return decay(x[0], x[1]) - decay(2, 1.5);
+      },
+      space);
+}
+
+TEST(LeastSquares, FindsBothNumbersOfACurve) {
+  const FitPoint found = fit(10);
+  EXPECT_NEAR(found.x[0], 2, 1e-3);
+  EXPECT_NEAR(found.x[1], 1.5, 1e-3);
+}
+
+TEST(LeastSquares, StaysWithinBounds) { EXPECT_NEAR(fit(1.7).x[0], 1.7, 1e-6); }
+
+}  // namespace
+}  // namespace nao::validation

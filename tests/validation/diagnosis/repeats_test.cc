@@ -1,0 +1,54 @@
+#include "validation/diagnosis/repeats.h"
+
+#include <gtest/gtest.h>
+
+#include "core/random.h"
+#include "tests/validation/diagnosis/toy_joint.h"
+#include "validation/diagnosis/joint_data.h"
+
+namespace nao::validation {
+namespace {
+
+// Repeats of noise with SD 2 whose samples are correlated as keep^lag.
+JointMotion noisy(double keep, int repeats) {
+  Random random(5, "repeats");
+  JointMotion motion{"noise", Split::Fit, 0.01, {}};
+  for (int r = 0; r < repeats; ++r) {
+    Eigen::MatrixXd run(1000, 1);
+    double x = random.normal();
+    for (int i = 0; i < 1000; ++i) {
+      run(i, 0) = 2 * x;
+      x = keep * x + std::sqrt(1 - keep * keep) * random.normal();
+    }
+    motion.repeats.push_back(run);
+  }
+  return motion;
+}
+
+TEST(Repeats, TellTheSdOfOneRun) { EXPECT_NEAR(statisticsOf(noisy(0.8, 8)).sd.mean(), 2, 0.1); }
+
+TEST(Repeats, TellHowManySamplesAreWorthOne) {
+  // 1 + 2 (k + k^2 + ...) = (1 + k) / (1 - k) = 9 for k = 0.8.
+  EXPECT_NEAR(statisticsOf(noisy(0.8, 8)).inflation[0], 9, 1.5);
+  EXPECT_NEAR(statisticsOf(noisy(0, 8)).inflation[0], 1, 0.2);
+}
+
+TEST(Repeats, HalvesDifferByTheNoiseOfTheMean) {
+  const JointMotion motion = noisy(0, 6);
+  double square = 0;
+  for (int split = 0; split < splitCount(6); ++split) {
+    square += halfDifference(motion, split).squaredNorm() / 1000 / splitCount(6);
+  }
+  EXPECT_NEAR(square, 4.0 / 6, 0.05);
+}
+
+TEST(JointData, LeavesTestMotionsClosed) {
+  test::ToyJoint toy({}, 1);
+  const JointData all(toy, test::kToyNoise);
+  EXPECT_EQ(all.spans().size(), 5u);
+  EXPECT_EQ(all.size(), 5 * 600);
+  EXPECT_EQ(all.blocks(), 5 * 6);
+}
+
+}  // namespace
+}  // namespace nao::validation

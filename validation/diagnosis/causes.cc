@@ -1,0 +1,70 @@
+#include "validation/diagnosis/causes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/check.h"
+
+namespace nao::validation {
+namespace {
+
+constexpr double kFar = 1e9;  // of a parameter whose neutral value is as good as infinite
+
+void replace(std::string& text, const std::string& key, const std::string& value) {
+  const std::size_t at = text.find(key);
+  if (at != std::string::npos) text.replace(at, key.size(), value);
+}
+
+}  // namespace
+
+std::string Cause::fill(const std::string& joint, const std::string& value) const {
+  std::string text = sentence;
+  replace(text, "{joint}", joint);
+  replace(text, "{value}", value);
+  return text;
+}
+
+Cause boundedAt(const Cause& cause, const JointSimulator& joint,
+                const sim::EffectCatalogue& catalogue) {
+  Cause bounded = cause;
+  const sim::EffectType* type = catalogue.find(cause.effect);
+  if (type == nullptr) return bounded;
+  for (FreeNumber& number : bounded.free) {
+    for (const sim::Parameter& p : type->parameters) {
+      if (p.name != number.parameter) continue;
+      number.unit = p.unit;
+      number.neutral = p.neutral;
+      if (number.form == Form::Inverse) {
+        number.lower = 0;
+        number.upper = 1 / std::max(p.min, 1 / kFar);
+        continue;
+      }
+      const double present = joint.present(cause.effect, p.name);
+      number.lower = p.min - p.neutral - present;
+      number.upper = p.max - p.neutral - present;
+      if (number.smallest == 0) number.smallest = p.smallest;
+    }
+  }
+  return bounded;
+}
+
+EffectSetting settingOf(const Cause& cause, const std::vector<double>& numbers) {
+  NAO_CHECK(numbers.size() == cause.free.size());
+  EffectSetting setting;
+  setting.name = cause.effect;
+  const sim::EffectType* type = sim::standardEffects().find(cause.effect);
+  if (type != nullptr) {  // what is not free does nothing
+    for (const sim::Parameter& p : type->parameters) setting.parameters[p.name] = p.neutral;
+  }
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    setting.parameters[cause.free[i].parameter] = shownValue(cause.free[i], numbers[i]);
+  }
+  return setting;
+}
+
+double shownValue(const FreeNumber& number, double x) {
+  if (number.form == Form::Offset) return number.neutral + x;
+  return x * number.neutral <= 1 ? number.neutral : 1 / x;
+}
+
+}  // namespace nao::validation

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/robot_model.h"
+#include "sim/effects/catalogue.h"
+#include "validation/diagnosis/joint_simulator.h"
+
+namespace nao::validation {
+
+/// Whether a cause is one joint's own, or first tried as one number for all joints.
+enum class Scope { Joint, Robot };
+
+/// How a number of a cause becomes an effect's parameter.
+enum class Form {
+  Offset,   // parameter = neutral + number
+  Inverse,  // parameter = 1 / number, for limits that are infinite when they do nothing
+};
+
+/// A number that is fitted. 0 is always the nominal model.
+struct FreeNumber {
+  std::string parameter;       // of the effect
+  std::vector<double> starts;  // where fits begin; the first is the first look
+  Form form = Form::Offset;
+  // Filled in by the catalogue and the joint:
+  std::string unit;
+  double neutral = 0;
+  double lower = 0, upper = 0;
+  double smallest = 0;  // size of interest
+};
+
+/// A candidate of the diagnosis: an effect, and which of its parameters are free.
+struct Cause {
+  std::string id;  // of the effect; "effect.parameter" where an effect has several causes
+  std::string effect;
+  std::vector<FreeNumber> free;  // the first is its size; the others shape it
+  Scope scope = Scope::Joint;
+  /// The response is nearly proportional to the size, so that one look serves both signs.
+  bool linear = true;
+  /// Undeclared spread of this number between equal robots [its unit]: what a robot's maker calls
+  /// the same. Less than the smallest size of interest; 0: none is expected.
+  double spread = 0;
+  std::string sentence;  // for the report, "{joint}" and "{value}" filled in
+  std::string separate;  // the experiment that tells it from its rivals
+  std::string prior = "common";
+
+  std::string fill(const std::string& joint, const std::string& value) const;
+};
+
+/// The causes that a single joint's angle (and current) can show, in the order of the report.
+const std::vector<Cause>& jointCauses();
+
+/// `cause` with units and bounds of the catalogue's effect, as far as this joint's model allows: a
+/// play can shrink by no more than there is.
+Cause boundedAt(const Cause& cause, const JointSimulator& joint,
+                const sim::EffectCatalogue& catalogue);
+
+/// The setting that stands for these numbers, one per `cause.free`, on all joints it is given to.
+EffectSetting settingOf(const Cause& cause, const std::vector<double>& numbers);
+
+/// The parameter's value that a number stands for, as a person reads it.
+double shownValue(const FreeNumber& number, double x);
+
+}  // namespace nao::validation

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "validation/diagnosis/joint_simulator.h"
+
+namespace nao::validation {
+
+class JointData;
+
+/// What a run's random numbers are for: streams of different use never meet.
+enum class StreamUse : std::uint64_t { Mean = 1, Null = 2, Interval = 3, Spread = 4, Noise = 5 };
+
+/// The stream of one repeat of one motion: the same for every list of causes.
+constexpr std::uint64_t streamOf(StreamUse use, std::size_t motion, int repeat) {
+  return (static_cast<std::uint64_t>(use) << 56) | (static_cast<std::uint64_t>(motion) << 40) |
+         static_cast<std::uint64_t>(repeat);
+}
+
+/// Predicts the mean of a joint's noisy runs, stacked as its JointData, and counts the runs.
+/// One thread.
+class Ensemble {
+ public:
+  /// `granted`: how many runs may be simulated in all.
+  Ensemble(const JointSimulator& joint, const JointData& data, const JointNoise& noise,
+           long granted);
+
+  /// Mean of `runs` runs per motion, starting with repeat `first` of the streams of `use`.
+  Eigen::VectorXd mean(const std::vector<EffectSetting>& causes, int runs,
+                       StreamUse use = StreamUse::Mean, int first = 0);
+
+  /// Means of as many runs as the measured mean has, of streams never used before: what a set
+  /// measured again would show.
+  Eigen::VectorXd measuredAgain(const std::vector<EffectSetting>& causes, StreamUse use, int set);
+
+  const JointNoise& noise() const { return noise_; }
+  long used() const { return used_; }
+  bool spent() const { return used_ >= granted_; }
+
+ private:
+  const JointSimulator& joint_;
+  const JointData& data_;
+  JointNoise noise_;
+  long granted_, used_ = 0;
+};
+
+}  // namespace nao::validation

@@ -1,0 +1,207 @@
+// The catalogue of causes at the joint level. `starts` span what a Nao's or a hobby servo's joint
+// shows at all (free choices: from a few times the size of interest to a gross fault); a fit moves
+// on from there. `spread` is what two healthy robots of one kind differ by: mass 2 %, inertia 5 %,
+// friction 10 %, gains 2 %, zero 0.1 degree at most, taken as uniform.
+#include <algorithm>
+#include <cmath>
+
+#include "validation/diagnosis/causes.h"
+
+namespace nao::validation {
+namespace {
+
+const double kUniform = 1 / std::sqrt(3.0);  // SD of a number uniform within +-1
+
+// A cause of one number.
+Cause one(const std::string& effect, const std::string& parameter, std::vector<double> starts,
+          const std::string& sentence, const std::string& separate) {
+  Cause cause;
+  cause.id = cause.effect = effect;
+  cause.free = {{parameter, std::move(starts), Form::Offset, "", 0, 0, 0, 0}};
+  cause.sentence = sentence;
+  cause.separate = separate;
+  return cause;
+}
+
+Cause part(const std::string& effect, const std::string& parameter, std::vector<double> starts,
+           const std::string& sentence, const std::string& separate) {
+  Cause cause = one(effect, parameter, std::move(starts), sentence, separate);
+  cause.id = effect + "." + parameter;
+  return cause;
+}
+
+Cause spread(Cause cause, double most) {
+  cause.spread = most * kUniform;
+  return cause;
+}
+Cause forAll(Cause cause) {
+  cause.scope = Scope::Robot;
+  return cause;
+}
+Cause byGrid(Cause cause) {
+  cause.linear = false;
+  return cause;
+}
+Cause shaped(Cause cause, const std::string& parameter, std::vector<double> starts) {
+  cause.free.push_back({parameter, std::move(starts), Form::Offset, "", 0, 0, 0, 0});
+  return cause;
+}
+
+void addFriction(std::vector<Cause>& all) {
+  all.push_back(one("coulomb_friction", "torque", {0.1, 0.03, 0.3, -0.05},
+                    "{joint} has {value} of dry friction more than the model",
+                    "the same slow sweep with two loads and at two speeds"));
+  all.push_back(one("viscous_friction", "coefficient", {0.05, 0.3, -0.05},
+                    "{joint} is damped by {value} more than the model",
+                    "a fall with the motor switched off"));
+  all.push_back(byGrid(shaped(
+      one("stribeck_friction", "torque", {0.1, 0.4}, "{joint} sticks near standstill with {value}",
+          "slow triangles with and without load"),
+      "speed", {0, 0.3})));
+  all.push_back(one("load_friction", "share", {0.1, 0.3},
+                    "{joint}'s friction grows by {value} of the torque its gear carries",
+                    "the same sweep with a light and a heavy load"));
+  all.push_back(one("friction_asymmetry", "torque", {0.1, -0.1, 0.4, -0.4},
+                    "{joint} has {value} of friction in one direction only",
+                    "rest after approaching a place from either side"));
+  all.push_back(one("torque_bias", "torque", {0.1}, "a constant torque of {value} acts on {joint}",
+                    "the same motion with the base turned by 90 degrees"));
+}
+
+void addMotor(std::vector<Cause>& all) {
+  all.push_back(byGrid(one("torque_limit", "part", {-0.3, -0.6, 0.3, -0.8},
+                           "{joint}'s motor gives {value} of its torque",
+                           "a static load ramp up to where the joint gives in")));
+  all.push_back(forAll(byGrid(part("voltage_sag", "drop", {0.2, 0.45, -0.2},
+                                   "the battery of {joint}'s motor is {value} below nominal",
+                                   "a fast sweep without load, and the battery's voltage"))));
+  all.push_back(forAll(byGrid(part("voltage_sag", "slope", {0.03, 0.08, -0.03},
+                                   "the voltage at {joint} sinks by {value} of nominal",
+                                   "the same motion early and late in a long run"))));
+  all.push_back(byGrid(shaped(one("thermal_derating", "part", {0.5, 0.9},
+                                  "{joint}'s motor loses {value} of its torque as it warms up",
+                                  "the same motion cold and hot"),
+                              "time", {0, -55})));
+}
+
+void addServo(std::vector<Cause>& all) {
+  all.push_back(spread(one("kp_error", "part", {0.2, -0.3, 0.6},
+                           "{joint}'s proportional gain is off by {value} of nominal",
+                           "the same load at two stiffness gains, and the current"),
+                       0.02));
+  all.push_back(spread(one("kd_error", "part", {0.3, -0.4, 1.0},
+                           "{joint}'s derivative gain is off by {value} of nominal",
+                           "free oscillation after a step, and the current"),
+                       0.02));
+  all.push_back(one("integral_gain", "gain", {10, 40},
+                    "{joint}'s servo integrates its error with {value}", "long holds under load"));
+  all.push_back(byGrid(one("servo_deadband", "width", {0.01, 0.004, 0.025},
+                           "{joint}'s servo ignores errors up to {value}",
+                           "slow small triangles under a load of either sign")));
+  all.push_back(byGrid(one("duty_root", "part", {0.5, 1.0},
+                           "{joint}'s duty grows by {value} with the root of the error",
+                           "the same load at two gains")));
+  all.push_back(spread(
+      one("motor_inertia", "part", {0.5, -0.4}, "{joint}'s rotor is heavier by {value} of nominal",
+          "fast sweeps with and without a known mass"),
+      0.05));
+}
+
+void addGear(std::vector<Cause>& all) {
+  all.push_back(byGrid(one("backlash", "width", {0.02, 0.007, 0.05, -0.008},
+                           "{joint}'s gear has {value} of play more than the model",
+                           "a slow triangle through zero load")));
+  all.push_back(one("gear_compliance", "compliance", {0.004, 0.015},
+                    "{joint}'s gear twists by {value}", "a static load sweep seen from outside"));
+  all.push_back(one("cable_spring", "stiffness", {0.5, -0.3},
+                    "a cable or skin pulls {joint} back with {value}",
+                    "the same motion with the base turned by 90 degrees"));
+  all.push_back(byGrid(shaped(shaped(one("cogging", "torque", {0.1, 0.3},
+                                         "{joint} cogs with {value}, periodic in its angle",
+                                         "a slow sweep over the whole range"),
+                                     "per_turn", {0, 6, -6}),
+                              "phase", {0, 1.57, 3.14, -1.57})));
+  all.push_back(byGrid(part("joint_stop", "upper", {-0.1, -0.3, -0.6},
+                            "{joint}'s upper stop is moved by {value}",
+                            "a slow approach to the stop from inside")));
+  all.push_back(byGrid(part("joint_stop", "lower", {0.1, 0.3, 0.6},
+                            "{joint}'s lower stop is moved by {value}",
+                            "a slow approach to the stop from inside")));
+  all.push_back(byGrid(shaped(part("coupled_stop", "upper", {-0.1, -0.3},
+                                   "{joint} is stopped {value} early where another joint is bent",
+                                   "hold this joint's command, sweep the other"),
+                              "slope", {0, 0.5, -0.5})));
+  all.push_back(byGrid(shaped(part("coupled_stop", "lower", {0.1, 0.3},
+                                   "{joint} is stopped {value} early where another joint is bent",
+                                   "hold this joint's command, sweep the other"),
+                              "slope", {0, 0.5, -0.5})));
+}
+
+void addLoad(std::vector<Cause>& all) {
+  all.push_back(
+      spread(one("encoder_offset", "angle", {0.01}, "{joint}'s encoder reads {value} too much",
+                 "two orientations of the base, or an outer measurement"),
+             0.1 * M_PI / 180));
+  all.push_back(spread(
+      one("link_mass", "part", {0.2, -0.2}, "the link on {joint} is heavier by {value} of nominal",
+          "slow and fast motion with a known mass added"),
+      0.02));
+  for (const char* axis : {"x", "y", "z"}) {
+    all.push_back(part("link_com", axis, {0.02}, "the link on {joint} has its mass off by {value}",
+                       "slow motion in two orientations of the base"));
+  }
+  all.push_back(one("payload", "mass", {0.2, 1.0}, "{joint}'s link carries {value}",
+                    "slow and fast motion, the load at two places"));
+  all.push_back(forAll(one("gravity_scale", "scale", {0.2, -0.2},
+                           "gravity acts on {joint} with {value} of nominal",
+                           "slow and fast motion: mass has inertia")));
+  for (const char* axis : {"x", "y"}) {
+    all.push_back(forAll(part("ground_tilt", axis, {0.05}, "{joint}'s base is tilted by {value}",
+                              "the same motion after the robot has turned by 90 degrees")));
+  }
+}
+
+void addTiming(std::vector<Cause>& all) {
+  all.push_back(forAll(one("command_latency", "delay", {0.01, 0.03, -0.006},
+                           "commands reach {joint} {value} later than the model says",
+                           "the current as a third clock")));
+  all.push_back(forAll(one("sensor_delay", "delay", {0.01, 0.03, -0.005},
+                           "{joint}'s angle is reported {value} later than the model says",
+                           "the current as a third clock")));
+  all.push_back(forAll(
+      byGrid(one("command_hold", "interval", {0.03, 0.06, 0.1, 0.02},
+                 "{joint} takes new commands only every {value}", "a log at a higher rate"))));
+  all.push_back(forAll(byGrid(one("command_filter", "time", {0.015, 0.05},
+                                  "{joint}'s command is smoothed over {value}",
+                                  "steps and fast sweeps: a lag, not a delay"))));
+  Cause rate = byGrid(one("rate_limit", "rate", {0.2, 0.4, 0.7, 1.2},
+                          "{joint}'s command moves at most with {value}", "steps of two sizes"));
+  rate.free[0].form = Form::Inverse;
+  rate.free[0].smallest = 0.02;  // [s/rad] a limit of 50 rad/s, which no motor here follows
+  all.push_back(forAll(rate));
+  all.push_back(byGrid(one("encoder_quantum", "quantum", {0.02, 0.008},
+                           "{joint}'s angle is read in steps of {value}",
+                           "the smallest differences between samples")));
+}
+
+}  // namespace
+
+const std::vector<Cause>& jointCauses() {
+  static const std::vector<Cause> causes = [] {
+    std::vector<Cause> all;
+    addFriction(all);
+    addMotor(all);
+    addServo(all);
+    addGear(all);
+    addLoad(all);
+    addTiming(all);
+    const auto unknown = [](const Cause& cause) {
+      return sim::standardEffects().find(cause.effect) == nullptr;
+    };
+    all.erase(std::remove_if(all.begin(), all.end(), unknown), all.end());
+    return all;
+  }();
+  return causes;
+}
+
+}  // namespace nao::validation

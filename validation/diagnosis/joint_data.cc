@@ -1,0 +1,78 @@
+#include "validation/diagnosis/joint_data.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "validation/diagnosis/ensemble.h"
+
+namespace nao::validation {
+namespace {
+
+constexpr int kSimulatedRepeats = 12;  // that stand in for repeats which were not measured
+
+std::vector<Eigen::MatrixXd> simulatedRepeats(const JointSimulator& joint, std::size_t motion,
+                                              const JointNoise& noise) {
+  std::vector<Eigen::MatrixXd> runs;
+  for (int r = 0; r < kSimulatedRepeats; ++r) {
+    runs.push_back(joint.run({}, motion, streamOf(StreamUse::Spread, motion, r), noise));
+  }
+  return runs;
+}
+
+}  // namespace
+
+JointData::JointData(const JointSimulator& joint, const JointNoise& noise) : joint_(joint) {
+  for (std::size_t m = 0; m < joint.measured().size(); ++m) {
+    const JointMotion& motion = joint.measured()[m];
+    if (motion.split == Split::Test || motion.repeats.empty()) continue;
+    const bool alone = motion.repeats.size() < 2;
+    has_repeats_ = has_repeats_ && !alone;
+    addMotion(
+        m, motion,
+        alone ? statisticsOf(motion, simulatedRepeats(joint, m, noise)) : statisticsOf(motion));
+  }
+}
+
+void JointData::addMotion(std::size_t motion, const JointMotion& measured,
+                          const RepeatStatistics& found) {
+  const MotionSpan span{
+      motion,      measured.split, mean_.size(), found.mean.rows(), found.mean.cols(),
+      measured.dt, found.repeats};
+  mean_.conservativeResize(span.offset + span.size());
+  sd_.conservativeResize(span.offset + span.size());
+  const auto second = std::max<Eigen::Index>(1, std::lround(1 / measured.dt));
+  for (Eigen::Index s = 0; s < span.signals; ++s) {
+    const Eigen::Index at = span.offset + s * span.rows;
+    mean_.segment(at, span.rows) = found.mean.col(s);
+    sd_.segment(at, span.rows) = found.sd.col(s) * std::sqrt(found.inflation[s] / found.repeats);
+    for (Eigen::Index i = 0; i < span.rows; ++i) {
+      block_.push_back(blocks_ + static_cast<int>(i / second));
+    }
+  }
+  blocks_ += static_cast<int>((span.rows + second - 1) / second);
+  spans_.push_back(span);
+}
+
+Eigen::VectorXd JointData::stack(const std::vector<Eigen::MatrixXd>& runs) const {
+  Eigen::VectorXd all(size());
+  for (std::size_t i = 0; i < spans_.size(); ++i) {
+    all.segment(spans_[i].offset, spans_[i].size()) = runs[i].reshaped();
+  }
+  return all;
+}
+
+std::vector<Eigen::VectorXd> JointData::splits() const {
+  std::vector<Eigen::VectorXd> found;
+  int count = 1000;
+  for (const MotionSpan& span : spans_) count = std::min(count, splitCount(span.repeats));
+  for (int split = 0; split < count; ++split) {
+    std::vector<Eigen::MatrixXd> differences;
+    for (const MotionSpan& span : spans_) {
+      differences.push_back(halfDifference(joint_.measured()[span.motion], split));
+    }
+    found.push_back(stack(differences));
+  }
+  return found;
+}
+
+}  // namespace nao::validation

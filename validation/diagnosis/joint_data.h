@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "validation/diagnosis/joint_simulator.h"
+#include "validation/diagnosis/repeats.h"
+
+namespace nao::validation {
+
+/// Where one motion stands in the stacked vectors of a joint: signal by signal, row by row.
+struct MotionSpan {
+  std::size_t motion = 0;  // of JointSimulator::measured()
+  Split split = Split::Fit;
+  Eigen::Index offset = 0, rows = 0, signals = 0;
+  double dt = 0;  // [s]
+  int repeats = 0;
+  Eigen::Index size() const { return rows * signals; }
+};
+
+/// What a diagnosis may see of a joint's measurements: its fit and select motions as one vector.
+/// Test motions are left out, nobody here opens them.
+class JointData {
+ public:
+  /// `noise` serves motions that were measured once: their spread is simulated.
+  JointData(const JointSimulator& joint, const JointNoise& noise);
+
+  const std::vector<MotionSpan>& spans() const { return spans_; }
+  Eigen::Index size() const { return mean_.size(); }
+  const Eigen::VectorXd& mean() const { return mean_; }  // of the repeats
+  /// SD of the mean of the repeats at every sample, as if the samples were independent.
+  const Eigen::VectorXd& sd() const { return sd_; }
+  bool hasRepeats() const { return has_repeats_; }
+
+  /// The runs of every motion, one matrix per span, as a stacked vector.
+  Eigen::VectorXd stack(const std::vector<Eigen::MatrixXd>& runs) const;
+  /// The noise of the mean that repeats show without any model.
+  std::vector<Eigen::VectorXd> splits() const;
+  /// Of each sample: the number of its block of one second; blocks do not cross motions.
+  const std::vector<int>& block() const { return block_; }
+  int blocks() const { return blocks_; }
+
+ private:
+  void addMotion(std::size_t motion, const JointMotion& measured, const RepeatStatistics& found);
+
+  const JointSimulator& joint_;
+  std::vector<MotionSpan> spans_;
+  Eigen::VectorXd mean_, sd_;
+  std::vector<int> block_;
+  int blocks_ = 0;
+  bool has_repeats_ = true;
+};
+
+}  // namespace nao::validation
