@@ -12,5 +12,6 @@ void addExperiment(CLI::App& app);
 void addEffects(CLI::App& app);
 void addDescribe(CLI::App& app);
 void addPlay(CLI::App& app);
+void addCheckData(CLI::App& app);
 
 }  // namespace nao::app

@@ -5,7 +5,7 @@
 #include "core/check.h"
 
 // Exit codes: 0 done, 1 something failed on the way, 2 the user asked for something impossible,
-// 3 a motion was played, but parts of its file could not be read.
+// 3 a motion was played, but parts of its file could not be read, 20 recorded data have faults.
 int main(int argc, char** argv) {
   CLI::App app("UsarNaoQi: a simulated Nao that speaks the Nao's own protocols.", "usarnaoqi");
   app.require_subcommand(1);
@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
   nao::app::addEffects(app);
   nao::app::addDescribe(app);
   nao::app::addPlay(app);
+  nao::app::addCheckData(app);
   try {
     app.parse(argc, argv);
     return 0;
