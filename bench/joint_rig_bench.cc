@@ -24,6 +24,7 @@ void run(benchmark::State& state, const char* joint, std::vector<EffectSetting> 
   load.reference = orders.angle;
   sim::RigChance chance;
   chance.torque_sd = 0.03;
+  causes.insert(causes.begin(), model->effects.begin(), model->effects.end());
   for (auto _ : state) {
     ++chance.stream;
     benchmark::DoNotOptimize(rig.run(causes, orders, load, chance, std::chrono::milliseconds(500)));

@@ -90,7 +90,6 @@ JointRig::JointRig(const RobotModel& model, Joint joint, Duration row, Duration 
     limit.limited = toJoint(0);
     cut_.coupled_limits.push_back(std::move(limit));
   }
-  cut_.effects = model.effects;
 }
 
 std::vector<EffectSetting> JointRig::cut(const std::vector<EffectSetting>& settings,
@@ -111,17 +110,15 @@ std::vector<EffectSetting> JointRig::cut(const std::vector<EffectSetting>& setti
   return mapped;
 }
 
-JointSignals JointRig::run(const std::vector<EffectSetting>& causes, const JointOrders& orders,
+JointSignals JointRig::run(const std::vector<EffectSetting>& effects, const JointOrders& orders,
                            const JointLoad& load, const RigChance& chance, Duration settle,
                            const EffectCatalogue& catalogue) const {
   const std::size_t rows = orders.angle.size();
   NAO_CHECK(rows > 0 && load.inertia.size() == rows && load.torque.size() == rows &&
             load.reference.size() == rows && load.slope.size() == rows);
   NAO_CHECK(orders.stiffness.empty() || orders.stiffness.size() == rows);
-  std::vector<EffectSetting> settings = cut(cut_.effects, catalogue);
-  for (EffectSetting& cause : cut(causes, catalogue)) settings.push_back(std::move(cause));
-  EffectChain effects(catalogue, settings, cut_, step_, chance.stream, cut_.name);
-  JointRigRun run(cut_, step_, effects, orders, load, chance);
+  EffectChain chain(catalogue, cut(effects, catalogue), cut_, step_, chance.stream, cut_.name);
+  JointRigRun run(cut_, step_, chain, orders, load, chance);
   return run.all(settle);
 }
 

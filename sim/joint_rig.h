@@ -64,9 +64,9 @@ class JointRig {
   JointRig(const RobotModel& model, Joint joint, Duration row, Duration step,
            const std::vector<std::string>& others = {});
 
-  /// The effects of the model and these further `causes` act; those that cannot act on this joint
-  /// do nothing. @throws InputError as EffectChain does.
-  JointSignals run(const std::vector<EffectSetting>& causes, const JointOrders& orders,
+  /// `effects` act, those of the model too only if they are listed; an effect that cannot act on
+  /// this joint does nothing. @throws InputError as EffectChain does.
+  JointSignals run(const std::vector<EffectSetting>& effects, const JointOrders& orders,
                    const JointLoad& load, const RigChance& chance, Duration settle,
                    const EffectCatalogue& catalogue = standardEffects()) const;
 

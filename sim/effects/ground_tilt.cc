@@ -1,5 +1,6 @@
 // The ground is a slope for this robot: its normal is turned by x about the world's x axis, then by
-// y about its y axis; the plane still goes through the world's origin.
+// y about its y axis; the plane still goes through the world's origin. A robot with a fixed base is
+// turned with it, about its root's origin.
 #include "sim/effects/effect.h"
 
 namespace nao::sim {
@@ -14,6 +15,9 @@ EffectType groundTilt() {
               const Eigen::AngleAxisd about_x(x, Vec3::UnitX());
               const Eigen::AngleAxisd about_y(y, Vec3::UnitY());
               plan.ground_normal = about_y * (about_x * plan.ground_normal);
+              if (!plan.model.fixed_base) return;
+              Pose& X_WB = plan.model.bodies[0].X_PB;
+              X_WB.linear() = (about_y * about_x).toRotationMatrix() * X_WB.linear();
             });
           }};
 }

@@ -97,7 +97,8 @@ void expectAgreement(const std::vector<EffectSetting>& effects,
     const JointRig rig(*model, toJoint(0), 10ms, step);
     RigChance chance;
     chance.stream = 7;
-    const JointSignals signals = rig.run({}, orders(), loadOf(truth.link), chance, kSettle * 10ms);
+    const JointSignals signals =
+        rig.run(effects, orders(), loadOf(truth.link), chance, kSettle * 10ms);
     EXPECT_LT(largestDifference(signals.angle, truth.signals.angle), tolerance);
     EXPECT_LT(largestDifference(signals.current, truth.signals.current), kCurrentTolerance);
   }

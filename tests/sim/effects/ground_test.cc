@@ -73,5 +73,12 @@ TEST(GroundTilt, TurnsTheNormalAboutXThenY) {
   EXPECT_LT((rig.plan().ground_normal - expected).norm(), 1e-15);
 }
 
+TEST(GroundTilt, TurnsAFixedBaseAlong) {
+  Rig rig(freeRod(0.5, 0.2), {effect("ground_tilt", {{"x", 0}, {"y", 0.2}})}, kGravity, kStep);
+  const double acceleration = kGravity * std::cos(0.2) / 0.2;  // of a rod tilted by 0.2 rad
+  rig.run(kStep);
+  EXPECT_NEAR(rig.rate() / kStep, acceleration, 1e-2 * acceleration);
+}
+
 }  // namespace
 }  // namespace nao::sim::test

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/robot_model.h"
+
+namespace nao::validation {
+
+/// The robot hung up by its torso, feet 1 m above the ground: a fixed base. With its own shell and
+/// soles, but it cannot fall.
+RobotModel suspend(const RobotModel& model);
+
+/// What is left of a suspended robot if nothing may touch anything: no solids, soles or spheres.
+/// The same motion of the joints at a lower cost, as long as the robot does not touch itself.
+RobotModel stripped(const RobotModel& model);
+
+/// Only the limbs that hold these joints; exact if the base is fixed, because nothing then passes
+/// from limb to limb but by a motor that both share (HipYawPitch: both legs are kept). Frames,
+/// sensors, ways and postures are left behind. @throws InputError for a robot whose base is free
+/// or a name it does not have.
+RobotModel cutLimbs(const RobotModel& model, const std::vector<std::string>& joints);
+
+}  // namespace nao::validation
