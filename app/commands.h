@@ -13,5 +13,6 @@ void addEffects(CLI::App& app);
 void addDescribe(CLI::App& app);
 void addPlay(CLI::App& app);
 void addCheckData(CLI::App& app);
+void addConvert(CLI::App& app);
 
 }  // namespace nao::app

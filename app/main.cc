@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
   nao::app::addDescribe(app);
   nao::app::addPlay(app);
   nao::app::addCheckData(app);
+  nao::app::addConvert(app);
   try {
     app.parse(argc, argv);
     return 0;

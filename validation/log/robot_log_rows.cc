@@ -1,7 +1,3 @@
-// The rows of a run:
-//   file = header { row }       lines end in "\n" or "\r\n"
-//   header = "t" { "," column }
-//   row = time { "," [ number ] }   as many cells as the header; an empty cell was not sampled
 #include <zlib.h>
 
 #include <algorithm>
@@ -9,15 +5,13 @@
 #include <charconv>
 #include <cmath>
 #include <set>
-#include <string_view>
 
 #include "core/check.h"
+#include "validation/log/csv_table.h"
 #include "validation/log/robot_log_files.h"
 
 namespace nao::validation {
 namespace {
-
-using std::string_view;
 
 // Signals of joints: "<signal>.<joint>".
 constexpr std::array kJointSignals{"cmd", "cmd_stiffness", "q", "qd", "cur", "tau", "temp"};
@@ -40,63 +34,6 @@ const std::set<std::string>& plainColumns() {
     return names;
   }();
   return kColumns;
-}
-
-string_view takeLine(string_view& text) {
-  const std::size_t end = text.find('\n');
-  string_view line = text.substr(0, end);
-  text.remove_prefix(end == string_view::npos ? text.size() : end + 1);
-  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-  return line;
-}
-
-std::vector<string_view> split(string_view line) {
-  std::vector<string_view> cells;
-  for (;;) {
-    const std::size_t comma = line.find(',');
-    cells.push_back(line.substr(0, comma));
-    if (comma == string_view::npos) return cells;
-    line.remove_prefix(comma + 1);
-  }
-}
-
-// The header is row 1, as an editor counts.
-struct Place {
-  const std::string& file;
-  std::size_t row;
-
-  [[noreturn]] void fail(const std::string& what) const {
-    throw InputError(file + ": row " + std::to_string(row) + ": " + what);
-  }
-  [[noreturn]] void fail(const std::string& column, const std::string& expected,
-                         string_view found) const {
-    fail("column " + column + ": expected " + expected + ", found '" + std::string(found) + "'");
-  }
-};
-
-std::vector<std::string> parseHeader(string_view line, const Place& place, const LogSet& set) {
-  std::vector<std::string> names;
-  for (const string_view cell : split(line)) names.emplace_back(cell);
-  if (names.front() != "t") place.fail("1", "t, the time in seconds", names.front());
-  for (std::size_t i = 1; i < names.size(); ++i) {
-    const std::string fault = findColumnFault(names[i], set);
-    if (!fault.empty()) place.fail(std::to_string(i + 1), fault, names[i]);
-    if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
-        names.begin() + static_cast<std::ptrdiff_t>(i)) {
-      place.fail(std::to_string(i + 1), "every column once", names[i]);
-    }
-  }
-  return names;
-}
-
-double parseCell(string_view cell, const std::string& column, const Place& place) {
-  if (cell.empty() && column != "t") return kUnknown;
-  double value = 0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
-    place.fail(column, column == "t" ? "a number" : "a number or an empty cell", cell);
-  }
-  return value;
 }
 
 void append(std::string& text, double value) {
@@ -134,25 +71,16 @@ std::string findColumnFault(const std::string& name, const LogSet& set) {
 }
 
 void parseRows(const std::string& text, const std::string& file, const LogSet& set, LogRun& run) {
-  string_view rest = text;
-  Place place{file, 1};
-  const std::vector<std::string> names = parseHeader(takeLine(rest), place, set);
-  std::vector<Column> columns(names.size());
-  while (!rest.empty()) {
-    ++place.row;
-    const std::vector<string_view> cells = split(takeLine(rest));
-    if (cells.size() != names.size()) {
-      place.fail("expected " + std::to_string(names.size()) + " cells as in the header, found " +
-                 std::to_string(cells.size()));
-    }
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      columns[i].push_back(parseCell(cells[i], names[i], place));
-    }
-  }
-  if (columns.front().empty()) place.fail("expected rows below the header, found none");
-  run.t = std::move(columns.front());
+  const auto judge = [&](const std::string& name, std::size_t column) -> std::string {
+    if (column == 0) return name == "t" ? "" : "t, the time in seconds";
+    return findColumnFault(name, set);
+  };
+  CsvTable table = parseCsv(text, file, judge);
+  run.t = std::move(table.columns.front());
   run.columns.clear();
-  for (std::size_t i = 1; i < names.size(); ++i) run.columns[names[i]] = std::move(columns[i]);
+  for (std::size_t i = 1; i < table.names.size(); ++i) {
+    run.columns[table.names[i]] = std::move(table.columns[i]);
+  }
 }
 
 std::string formatRows(const LogRun& run) {

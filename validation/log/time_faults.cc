@@ -9,8 +9,8 @@ namespace nao::validation {
 namespace {
 
 constexpr double kGap = 2.5;         // times the usual step: rows are missing
-constexpr double kIrregular = 0.5;   // of the median: spread of the steps, 5 to 95 %
-constexpr double kRateFactor = 1.4;  // from the stated rate; motions of one set may differ by less
+constexpr double kIrregular = 0.75;  // of the median: spread of the steps, 5 to 95 %
+constexpr double kRateFactor = 1.8;  // from the stated rate; motions of one set may differ by less
 
 std::size_t rowOf(std::size_t sample) { return sample + 2; }  // below the header
 

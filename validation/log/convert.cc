@@ -1,0 +1,98 @@
+#include "validation/log/convert.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/check.h"
+#include "validation/log/convert_formats.h"
+#include "validation/log/robot_log_files.h"
+
+namespace nao::validation {
+namespace {
+
+bool endsWith(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+bool isJson(const std::string& file) {
+  return endsWith(file, ".json") || endsWith(file, ".json.gz");
+}
+
+}  // namespace
+
+std::vector<std::string> listLogFiles(const std::string& from) {
+  std::vector<std::string> files;
+  if (!std::filesystem::is_directory(from)) {
+    files.push_back(from);
+  } else {
+    for (const auto& entry : std::filesystem::directory_iterator(from)) {
+      const std::string file = entry.path().string();
+      const bool data = isJson(file) || endsWith(file, ".csv") || endsWith(file, ".csv.gz");
+      if (entry.is_regular_file() && data) files.push_back(file);
+    }
+    std::sort(files.begin(), files.end());
+  }
+  if (files.empty()) throw InputError(from + ": expected .json or .csv files, found none");
+  return files;
+}
+
+void addJoints(LogSet& set) {
+  for (const LogRun& run : set.runs) {
+    for (const auto& [name, values] : run.columns) {
+      const std::string joint = findColumnJoint(name);
+      const bool known = std::any_of(set.joints.begin(), set.joints.end(),
+                                     [&](const LogJoint& other) { return other.name == joint; });
+      if (joint.empty() || known) continue;
+      set.joints.emplace_back();
+      set.joints.back().name = joint;
+    }
+  }
+}
+
+double calcRate(const LogSet& set) {
+  double rows = 0, time = 0;
+  for (const LogRun& run : set.runs) {
+    rows += static_cast<double>(run.t.size()) - 1;
+    time += run.t.back() - run.t.front();
+  }
+  return time > 0 ? rows / time : 1;
+}
+
+LogFormat guessFormat(const std::string& from) {
+  const std::string file = listLogFiles(from).front();
+  if (isJson(file)) return LogFormat::Bam;
+  const std::string text = readPacked(file);
+  const std::string header = text.substr(0, text.find('\n'));
+  if (header.find("Device/SubDeviceList/") != std::string::npos) return LogFormat::Almemory;
+  if (header.find("position.") != std::string::npos) return LogFormat::Poppy;
+  const auto first = static_cast<unsigned char>(text.empty() ? ' ' : text[0]);
+  const bool map = (first & 0xf0) == 0x80 || first == 0xde || first == 0xdf;  // of MessagePack
+  if (map) return LogFormat::Lola;
+  throw InputError(file +
+                   ": expected JSON files of BAM, a CSV file of ALMemory keys or of Poppy, or LoLA "
+                   "frames; say --format if it is one of them");
+}
+
+LogSet convertLog(const std::string& from, LogFormat format, const ConvertSettings& settings) {
+  LogSet set;
+  switch (format) {
+    case LogFormat::Bam:
+      set = convertBam(from);
+      break;
+    case LogFormat::Poppy:
+      set = convertPoppy(from);
+      break;
+    case LogFormat::Almemory:
+      set = convertMemory(from);
+      break;
+    case LogFormat::Lola:
+      set = convertLola(from);
+      break;
+  }
+  if (!settings.robot.empty()) set.robot = settings.robot;
+  if (!settings.licence.empty()) set.licence = settings.licence;
+  for (LogRun& run : set.runs) run.split = settings.split.value_or(run.split);
+  return set;
+}
+
+}  // namespace nao::validation
