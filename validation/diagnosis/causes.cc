@@ -10,6 +10,13 @@ namespace {
 
 constexpr double kFar = 1e9;  // of a parameter whose neutral value is as good as infinite
 
+// Healthy robots of one kind differ by 10 % in friction, taken as uniform.
+const double kFrictionSpread = 0.1 / std::sqrt(3.0);
+
+bool isFriction(const std::string& effect) {
+  return effect == "coulomb_friction" || effect == "viscous_friction" || effect == "load_friction";
+}
+
 void replace(std::string& text, const std::string& key, const std::string& value) {
   const std::size_t at = text.find(key);
   if (at != std::string::npos) text.replace(at, key.size(), value);
@@ -44,6 +51,10 @@ Cause boundedAt(const Cause& cause, const JointSimulator& joint,
       number.upper = p.max - p.neutral - present;
       if (number.smallest == 0) number.smallest = p.smallest;
     }
+  }
+  const std::string& size = bounded.free[0].parameter;
+  if (isFriction(cause.effect)) {
+    bounded.spread = kFrictionSpread * std::abs(joint.present(cause.effect, size));
   }
   return bounded;
 }

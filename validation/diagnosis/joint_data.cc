@@ -22,14 +22,20 @@ std::vector<Eigen::MatrixXd> simulatedRepeats(const JointSimulator& joint, std::
 }  // namespace
 
 JointData::JointData(const JointSimulator& joint, const JointNoise& noise) : joint_(joint) {
-  for (std::size_t m = 0; m < joint.measured().size(); ++m) {
-    const JointMotion& motion = joint.measured()[m];
-    if (motion.split == Split::Test || motion.repeats.empty()) continue;
+  addMotions(Split::Fit, noise);
+  fit_size_ = mean_.size();
+  addMotions(Split::Select, noise);
+}
+
+void JointData::addMotions(Split split, const JointNoise& noise) {
+  for (std::size_t m = 0; m < joint_.measured().size(); ++m) {
+    const JointMotion& motion = joint_.measured()[m];
+    if (motion.split != split || motion.repeats.empty()) continue;
     const bool alone = motion.repeats.size() < 2;
     has_repeats_ = has_repeats_ && !alone;
     addMotion(
         m, motion,
-        alone ? statisticsOf(motion, simulatedRepeats(joint, m, noise)) : statisticsOf(motion));
+        alone ? statisticsOf(motion, simulatedRepeats(joint_, m, noise)) : statisticsOf(motion));
   }
 }
 

@@ -19,8 +19,8 @@ struct MotionSpan {
   Eigen::Index size() const { return rows * signals; }
 };
 
-/// What a diagnosis may see of a joint's measurements: its fit and select motions as one vector.
-/// Test motions are left out, nobody here opens them.
+/// What a diagnosis may see of a joint's measurements as one vector: its fit motions, then its
+/// select motions. Test motions are left out, nobody here opens them.
 class JointData {
  public:
   /// `noise` serves motions that were measured once: their spread is simulated.
@@ -28,6 +28,7 @@ class JointData {
 
   const std::vector<MotionSpan>& spans() const { return spans_; }
   Eigen::Index size() const { return mean_.size(); }
+  Eigen::Index fitSize() const { return fit_size_; }     // the samples of fit motions come first
   const Eigen::VectorXd& mean() const { return mean_; }  // of the repeats
   /// SD of the mean of the repeats at every sample, as if the samples were independent.
   const Eigen::VectorXd& sd() const { return sd_; }
@@ -42,11 +43,13 @@ class JointData {
   int blocks() const { return blocks_; }
 
  private:
+  void addMotions(Split split, const JointNoise& noise);
   void addMotion(std::size_t motion, const JointMotion& measured, const RepeatStatistics& found);
 
   const JointSimulator& joint_;
   std::vector<MotionSpan> spans_;
   Eigen::VectorXd mean_, sd_;
+  Eigen::Index fit_size_ = 0;
   std::vector<int> block_;
   int blocks_ = 0;
   bool has_repeats_ = true;

@@ -32,8 +32,7 @@ class Differences {
     jacobian_.resize(value_.size(), static_cast<Eigen::Index>(x.size()));
     for (std::size_t i = 0; i < x.size(); ++i) {
       std::vector<double> beside = x;
-      const double step = std::max(space_.step[i], 0.05 * std::abs(x[i]));
-      beside[i] += beside[i] + step <= space_.upper[i] ? step : -step;
+      beside[i] += differenceStep(space_, i, x[i]);
       jacobian_.col(static_cast<Eigen::Index>(i)) =
           (residual_(beside) - value_) / (beside[i] - x[i]);
       ++evaluations_;
@@ -94,6 +93,11 @@ ceres::Solver::Options optionsOf(const FitSpace& space) {
 }
 
 }  // namespace
+
+double differenceStep(const FitSpace& space, std::size_t i, double x) {
+  const double step = std::max(space.step[i], 0.05 * std::abs(x));
+  return x + step <= space.upper[i] ? step : -step;
+}
 
 FitPoint leastSquares(const Residual& residual, const FitSpace& space) {
   Differences differences(residual, space);

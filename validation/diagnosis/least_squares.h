@@ -14,6 +14,9 @@ struct FitSpace {
   int iterations = 5;
 };
 
+/// The finite difference taken for the `i`-th number at `x`.
+double differenceStep(const FitSpace& space, std::size_t i, double x);
+
 struct FitPoint {
   std::vector<double> x;
   Eigen::VectorXd residual;  // there

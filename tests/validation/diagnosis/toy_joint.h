@@ -25,7 +25,7 @@ struct ToyLaws {
   double latency = 0.01, hold = 0, filter = 0, rate = 1e9, sensor_delay = 0.005, quantum = 0.0015;
   // No cause of the catalogue below:
   double cogging = 0, cogs = 18, drag = 0, spring = 0, hum = 0;  // [N m], [1/rad], ...
-  double step = 0.001;                                           // [s]
+  double step = 0.002;                                           // [s]
 
   void set(const std::string& effect, const std::map<std::string, double>& p);
 };
@@ -86,7 +86,7 @@ class ToyRun {
   ToyRun(const ToyLaws& laws, std::size_t motion, std::uint64_t stream, const JointNoise& noise)
       : laws_(laws), motion_(motion), random_(stream, "toy"), noise_(noise) {
     start_ = noise.start_sd * random_.normal();
-    keep_ = noise.torque_time > 0 ? std::exp(-laws.step / noise.torque_time) : 0;
+    keep_ = noise.torque_time > 0 ? std::exp(-kAge / noise.torque_time) : 0;
     torque_ = noise.torque_sd * random_.normal();
   }
 
@@ -106,6 +106,8 @@ class ToyRun {
   }
 
  private:
+  static constexpr double kAge = 0.004;  // [s] for which the random torque stays
+
   // Linear between the two nearest steps of the past.
   double reading() const {
     const double late = laws_.sensor_delay / laws_.step;
@@ -174,25 +176,24 @@ class ToyRun {
   double t_ = 0, q_ = 0, u_ = 0, filtered_ = 0, limited_ = 0, played_ = 0;
   std::vector<double> trail_;
   std::size_t newest_ = 0;
+  int age_ = 0;
 };
 
 inline const JointNoise kToyNoise{0.03, 0.05, 0.001, 0.0015};
 
 /// A joint of its own laws, integrated in 1 ms: what the statistics are tried on. Its measurements
-/// come from `truth`, at a step of its own.
+/// come from `truth`.
 class ToyJoint final : public JointSimulator {
  public:
   ToyJoint(const ToyLaws& truth, std::uint64_t seed, const JointNoise& noise = kToyNoise,
-           int repeats = 6, std::string name = "Toy")
+           int repeats = 6, std::size_t motions = 5, std::string name = "Toy")
       : name_(std::move(name)) {
-    ToyLaws real = truth;
-    real.step = 0.0005;
-    for (std::size_t m = 0; m < 5; ++m) {
+    for (std::size_t m = 0; m < motions; ++m) {
       JointMotion motion{
-          "motion" + std::to_string(m), m < 4 ? Split::Fit : Split::Select, 0.01, {}};
+          "motion" + std::to_string(m), m + 1 < motions ? Split::Fit : Split::Select, 0.01, {}};
       for (int r = 0; r < repeats; ++r) {
         const std::uint64_t stream = 0x5eed0000 + seed * 1000 + m * 100 + static_cast<unsigned>(r);
-        motion.repeats.push_back(ToyRun(real, m, stream, noise).record());
+        motion.repeats.push_back(ToyRun(truth, m, stream, noise).record());
       }
       measured_.push_back(std::move(motion));
     }

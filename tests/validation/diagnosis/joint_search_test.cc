@@ -1,0 +1,100 @@
+#include "validation/diagnosis/joint_search.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/validation/diagnosis/toy_joint.h"
+
+namespace nao::validation {
+namespace {
+
+using test::ToyLaws;
+
+// A fraction of what a diagnosis takes by default: enough for effects that are far from small.
+Effort quick() {
+  Effort effort;
+  effort.look_runs = 4;
+  effort.final_runs = 8;
+  effort.base_runs = 24;
+  effort.null_sets = 50;
+  effort.survivors = 5;
+  effort.finalists = 2;
+  effort.most_causes = 1;
+  return effort;
+}
+
+JointVerdict diagnose(const ToyLaws& truth, const std::vector<Cause>& causes,
+                      long granted = 1000000) {
+  const test::ToyJoint toy(truth, 1, test::kToyNoise, 6, 3);
+  JointSearch search(toy, test::kToyNoise, causes, quick(), granted);
+  search.begin();
+  return search.conclude({});
+}
+
+std::vector<Cause> without(const std::vector<std::string>& ids) {
+  std::vector<Cause> causes;
+  for (const Cause& cause : test::toyCauses()) {
+    if (std::find(ids.begin(), ids.end(), cause.id) == ids.end()) causes.push_back(cause);
+  }
+  return causes;
+}
+
+ToyLaws softServo() {
+  ToyLaws laws;
+  laws.kp *= 0.7;
+  return laws;
+}
+
+ToyLaws deadServo() {
+  ToyLaws laws;
+  laws.deadband = 0.012;
+  return laws;
+}
+
+TEST(JointSearch, NamesNothingWhereNothingIsWrong) {
+  const JointVerdict verdict = diagnose({}, test::toyCauses());
+  EXPECT_EQ(verdict.verdict, Verdict::NoDiscrepancy);
+  EXPECT_NEAR(verdict.misfit_before, 1, 0.15);
+}
+
+TEST(JointSearch, NamesAWeakServoAndHowWeakItIs) {
+  const JointVerdict verdict = diagnose(softServo(), test::toyCauses());
+  ASSERT_FALSE(verdict.named().empty());
+  EXPECT_EQ(verdict.named()[0]->cause, "kp_error");
+  EXPECT_EQ(verdict.named().size(), 1u);
+  EXPECT_NEAR(verdict.findings[0].numbers[0].deviation, -0.3, 0.02);
+  EXPECT_LE(verdict.findings[0].numbers[0].low, -0.3);
+  EXPECT_GE(verdict.findings[0].numbers[0].high, -0.3);
+  EXPECT_NEAR(verdict.misfit_after, 1, 0.15);
+}
+
+TEST(JointSearch, SaysUnknownOfACauseThatIsNotInItsCatalogue) {
+  const JointVerdict verdict = diagnose(deadServo(), without({"servo_deadband"}));
+  EXPECT_TRUE(verdict.verdict == Verdict::Unknown || verdict.verdict == Verdict::PartlyExplained)
+      << wordOf(verdict.verdict);
+}
+
+TEST(JointSearch, SaysAmbiguousOfACauseThatIsInItsCatalogueTwice) {
+  std::vector<Cause> causes = test::toyCauses();
+  for (std::size_t i = 0; i < causes.size(); ++i) {
+    if (causes[i].id != "servo_deadband") continue;
+    Cause twin = causes[i];
+    twin.id = "its_twin";
+    causes.push_back(twin);
+    break;
+  }
+  const JointVerdict verdict = diagnose(deadServo(), causes);
+  EXPECT_EQ(verdict.verdict, Verdict::Ambiguous);
+  ASSERT_EQ(verdict.findings.size(), 1u);
+  EXPECT_EQ(verdict.findings[0].rivals.size(), 1u);
+}
+
+TEST(JointSearch, SaysUnfinishedOutOfBudgetNeverUnknown) {
+  const JointVerdict verdict = diagnose(deadServo(), test::toyCauses(), 1500);
+  EXPECT_EQ(verdict.verdict, Verdict::Unfinished);
+  EXPECT_FALSE(verdict.not_tried.empty());
+}
+
+}  // namespace
+}  // namespace nao::validation

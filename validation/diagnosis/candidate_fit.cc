@@ -1,0 +1,127 @@
+#include "validation/diagnosis/candidate_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "validation/diagnosis/least_squares.h"
+
+namespace nao::validation {
+namespace {
+
+constexpr double kNearlyAsGood = 0.7;  // of the best start's gain: free choice
+
+// Finite differences as wide as the size of interest: less matters to nobody.
+double stepOf(const FreeNumber& number) {
+  const double typical = number.starts.empty() ? 1e-3 : std::abs(number.starts.front());
+  return number.smallest > 0 ? number.smallest : std::max(0.05 * typical, 1e-6);
+}
+
+void append(FitSpace& space, const Cause& cause, const std::vector<double>& x) {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    space.start.push_back(x[i]);
+    space.lower.push_back(cause.free[i].lower);
+    space.upper.push_back(cause.free[i].upper);
+    space.step.push_back(stepOf(cause.free[i]));
+  }
+}
+
+CauseList withNumbers(CauseList model, const std::vector<double>& numbers) {
+  std::size_t next = 0;
+  for (Chosen& one : model) {
+    for (double& x : one.x) x = numbers[next++];
+  }
+  return model;
+}
+
+}  // namespace
+
+QuickFit fitQuickly(Ensemble& ensemble, const JointData& data, const Stage& stage,
+                    const std::vector<Cause>& causes, std::size_t cause,
+                    const std::vector<double>& x, const Eigen::VectorXd& raw, const CauseList& rest,
+                    const Effort& effort) {
+  (void)data;
+  FitSpace space;
+  append(space, causes[cause], x);
+  space.iterations = 4;
+  const Eigen::VectorXd before = stage.white(raw);
+  const Eigen::VectorXd base = rest.size() == stage.model().size()
+                                   ? stage.lookBase()
+                                   : ensemble.mean(settingsOf(causes, rest), effort.look_runs);
+  const FitPoint best = leastSquares(
+      [&](const std::vector<double>& numbers) -> Eigen::VectorXd {
+        CauseList with = rest;
+        with.push_back({cause, numbers});
+        const Eigen::VectorXd mean = ensemble.mean(settingsOf(causes, with), effort.look_runs);
+        return stage.white(raw - (mean - base));
+      },
+      space);
+  return {cause, best.x, before.squaredNorm() / 2 - best.cost};
+}
+
+ModelFit fitFully(Ensemble& ensemble, const JointData& data, const Stage& stage,
+                  const std::vector<Cause>& causes, const CauseList& start, const Effort& effort) {
+  FitSpace space;
+  for (const Chosen& one : start) append(space, causes[one.cause], one.x);
+  const Eigen::VectorXd base = ensemble.mean(settingsOf(causes, stage.model()), effort.final_runs);
+  const auto rawAt = [&](const std::vector<double>& numbers) -> Eigen::VectorXd {
+    const CauseList model = withNumbers(start, numbers);
+    return stage.raw() - (ensemble.mean(settingsOf(causes, model), effort.final_runs) - base);
+  };
+  std::vector<std::pair<std::vector<double>, Eigen::VectorXd>> seen;
+  const FitPoint best = leastSquares(
+      [&](const std::vector<double>& numbers) -> Eigen::VectorXd {
+        seen.emplace_back(numbers, rawAt(numbers));
+        return stage.whitenFit(seen.back().second);
+      },
+      space);
+  ModelFit fit;
+  fit.model = withNumbers(start, best.x);
+  fit.white = best.residual;
+  fit.gain = stage.whitenFit(stage.raw()).squaredNorm() / 2 - best.cost;
+  const auto rawOf = [&](const std::vector<double>& x) {
+    const auto found =
+        std::find_if(seen.rbegin(), seen.rend(), [&](const auto& one) { return one.first == x; });
+    return found != seen.rend() ? found->second : rawAt(x);
+  };
+  fit.raw = rawOf(best.x);
+  fit.jacobian.resize(data.size(), static_cast<Eigen::Index>(best.x.size()));
+  for (std::size_t i = 0; i < best.x.size(); ++i) {  // as least_squares.cc took them: all are seen
+    std::vector<double> beside = best.x;
+    const double step = differenceStep(space, i, best.x[i]);
+    beside[i] += step;
+    fit.jacobian.col(static_cast<Eigen::Index>(i)) =
+        (fit.raw - rawOf(beside)) / (beside[i] - best.x[i]);
+  }
+  return fit;
+}
+
+std::vector<QuickFit> startsFor(const Stage& stage, const Eigen::VectorXd& white, double least,
+                                int most) {
+  std::vector<QuickFit> starts;
+  for (const Look& look : stage.looks()) {
+    double scale = 0;
+    const double gain = Stage::gain(look, white, &scale);
+    if (gain < least || scale == 0) continue;
+    QuickFit start{look.cause, look.x, gain};
+    start.x[0] *= scale;
+    starts.push_back(std::move(start));
+  }
+  std::stable_sort(starts.begin(), starts.end(),
+                   [](const QuickFit& a, const QuickFit& b) { return a.gain > b.gain; });
+  std::vector<QuickFit> kept;
+  std::vector<std::size_t> causes;
+  for (const QuickFit& start : starts) {
+    int same = 0;
+    double best = 0;
+    for (const QuickFit& other : kept) {
+      if (other.cause == start.cause) ++same, best = std::max(best, other.gain);
+    }
+    if (same >= 2 || (same == 1 && start.gain < kNearlyAsGood * best)) continue;
+    if (same == 0 && static_cast<int>(causes.size()) >= most) continue;
+    if (same == 0) causes.push_back(start.cause);
+    kept.push_back(start);
+  }
+  return kept;
+}
+
+}  // namespace nao::validation

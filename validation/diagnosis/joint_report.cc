@@ -1,0 +1,132 @@
+// The part of JointSearch that puts what was found into words and numbers.
+#include <Eigen/QR>
+#include <algorithm>
+#include <cstdio>
+
+#include "validation/diagnosis/joint_search.h"
+
+namespace nao::validation {
+namespace {
+
+constexpr double kLow = 0.05, kHigh = 0.95;  // of a 90 % interval
+
+std::string shown(double value, const std::string& unit) {
+  char text[64];
+  if (unit == "rad") {
+    std::snprintf(text, sizeof text, "%.3g deg", value * 180 / M_PI);
+  } else if (unit == "s") {
+    std::snprintf(text, sizeof text, "%.3g ms", value * 1000);
+  } else if (unit.empty()) {
+    std::snprintf(text, sizeof text, "%+.1f %%", value * 100);
+  } else {
+    std::snprintf(text, sizeof text, "%.3g %s", value, unit.c_str());
+  }
+  return text;
+}
+
+std::vector<FoundNumber> numbersOf(const Cause& cause, const std::vector<double>& x) {
+  std::vector<FoundNumber> numbers;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const FreeNumber& free = cause.free[i];
+    numbers.push_back({free.parameter, free.unit, shownValue(free, x[i]), x[i], x[i], x[i]});
+  }
+  return numbers;
+}
+
+// What the numbers of the model would have come out as in each null set: one Gauss-Newton step
+// with the sensitivities of the fit. A row per set.
+Eigen::MatrixXd reestimated(const Stage& stage, const ModelFit& fit) {
+  Eigen::MatrixXd white(stage.whitenFit(fit.raw).size(), fit.jacobian.cols());
+  for (Eigen::Index i = 0; i < white.cols(); ++i) {
+    white.col(i) = stage.whitenFit(fit.jacobian.col(i));
+  }
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(white);
+  Eigen::MatrixXd moves(static_cast<Eigen::Index>(stage.nulls().size()), white.cols());
+  for (Eigen::Index n = 0; n < moves.rows(); ++n) {
+    const Eigen::VectorXd move =
+        qr.solve(stage.whitenFit(stage.nulls()[static_cast<std::size_t>(n)]));
+    moves.row(n) = move.transpose();
+  }
+  return moves;
+}
+
+void setInterval(FoundNumber& number, const Eigen::VectorXd& moves) {
+  const std::vector<double> all(moves.data(), moves.data() + moves.size());
+  number.low = number.deviation - quantile(all, kHigh);
+  number.high = number.deviation - quantile(all, kLow);
+}
+
+}  // namespace
+
+void JointSearch::describe(JointVerdict& verdict) {
+  verdict.joint = joint_.joint();
+  const Eigen::MatrixXd moves = accepted_.empty() ? Eigen::MatrixXd() : reestimated(*stage_, fit_);
+  Eigen::Index column = 0;
+  for (std::size_t i = 0; i < accepted_.size(); ++i) {
+    const Accepted& chosen = accepted_[i];
+    const Cause& cause = causes_[chosen.cause];
+    Finding finding;
+    finding.cause = cause.id;
+    finding.effect = cause.effect;
+    finding.numbers = numbersOf(cause, fit_.model[i].x);
+    for (FoundNumber& number : finding.numbers) setInterval(number, moves.col(column++));
+    finding.gain = chosen.gain;
+    finding.share = chosen.share;
+    finding.folds = chosen.validation.folds;
+    finding.folds_better = chosen.validation.better;
+    finding.held_out_gain = chosen.validation.gain;
+    finding.one_motion_only = chosen.validation.oneMotionOnly();
+    finding.small = std::abs(fit_.model[i].x[0]) < cause.free[0].smallest;
+    for (const Candidate& rival : chosen.rivals) {
+      const Cause& other = causes_[rival.cause];
+      finding.rivals.push_back({other.id, numbersOf(other, rival.x), chosen.gain - rival.gain});
+    }
+    finding.sentence =
+        cause.fill(verdict.joint, shown(finding.numbers[0].value, finding.numbers[0].unit));
+    finding.experiment = cause.separate;
+    verdict.findings.push_back(std::move(finding));
+  }
+}
+
+void JointSearch::judge(JointVerdict& verdict) {
+  verdict.rejected = rejected_;
+  std::sort(not_tried_.begin(), not_tried_.end());
+  not_tried_.erase(std::unique(not_tried_.begin(), not_tried_.end()), not_tried_.end());
+  verdict.not_tried = not_tried_;
+  verdict.critical_gain = critical();
+  verdict.misfit_before = misfit_before_;
+  verdict.misfit_after = misfit(*stage_, stage_->raw());
+  verdict.split_ratio = split_ratio_;
+  verdict.with_repeats = data_.hasRepeats();
+  verdict.runs = ensemble_.used();
+
+  std::vector<double> largest = nulls_.remainders;
+  for (std::size_t i = 0; i < largest.size() && i < others_.remainders.size(); ++i) {
+    largest[i] = std::max(largest[i], others_.remainders[i]);
+  }
+  verdict.remainder_critical = quantile(largest, 0.99);
+  double mean = 0, square = 0;
+  for (const Eigen::VectorXd& null : stage_->nulls()) {
+    const double half = stage_->whiteAll(null).squaredNorm() / 2;
+    mean += half / static_cast<double>(stage_->nulls().size());
+    square += half * half / static_cast<double>(stage_->nulls().size());
+  }
+  const double sd = std::sqrt(std::max(square - mean * mean, 1e-12));
+  verdict.remainder_score = (stage_->whiteAll(stage_->raw()).squaredNorm() / 2 - mean) / sd;
+
+  const std::vector<const Finding*> named = verdict.named();
+  const bool remains = verdict.remainder_score > verdict.remainder_critical;
+  const bool ambiguous = std::any_of(named.begin(), named.end(),
+                                     [](const Finding* one) { return !one->rivals.empty(); });
+  if (ensemble_.spent() && (remains || !not_tried_.empty())) {
+    verdict.verdict = Verdict::Unfinished;
+  } else if (named.empty()) {
+    verdict.verdict = remains ? Verdict::Unknown : Verdict::NoDiscrepancy;
+  } else if (remains) {
+    verdict.verdict = Verdict::PartlyExplained;
+  } else {
+    verdict.verdict = ambiguous ? Verdict::Ambiguous : Verdict::Named;
+  }
+}
+
+}  // namespace nao::validation

@@ -1,0 +1,306 @@
+#include "validation/diagnosis/joint_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace nao::validation {
+namespace {
+
+constexpr double kConfidence = 0.99;     // of thresholds, over the null sets of a whole data set
+constexpr double kSmallestShare = 0.03;  // of the excess misfit, less is not worth a name
+constexpr double kSame = 0.03;           // of the gain: rivals within it are not told apart
+constexpr double kWorthFitting = 0.7;    // of the threshold: what a look must promise
+constexpr double kClose = 0.1;           // of the best quick gain: fitted fully as well
+constexpr double kSwap = 0.01;           // of the gain: what a rival must be better by
+constexpr double kExcited = 1;           // squared noise SDs of a look: else it cannot be judged
+
+// Two directions of one effect, such as x and y of a tilt: no rivals, one name.
+bool samePlace(const Cause& a, const Cause& b) {
+  return a.effect == b.effect && a.id.rfind(a.effect + ".", 0) == 0 &&
+         b.id.rfind(b.effect + ".", 0) == 0;
+}
+
+double half(const Eigen::VectorXd& x) { return x.squaredNorm() / 2; }
+
+}  // namespace
+
+double quantile(std::vector<double> values, double q) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  const double place = q * static_cast<double>(values.size() - 1);
+  const auto low = static_cast<std::size_t>(place);
+  const std::size_t high = std::min(low + 1, values.size() - 1);
+  return values[low] + (place - static_cast<double>(low)) * (values[high] - values[low]);
+}
+
+JointSearch::JointSearch(const JointSimulator& joint, const JointNoise& noise,
+                         std::vector<Cause> causes, const Effort& effort, long granted_runs)
+    : joint_(joint),
+      causes_(std::move(causes)),
+      effort_(effort),
+      data_(joint, noise),
+      ensemble_(joint, data_, noise, granted_runs) {
+  for (Cause& cause : causes_) cause = boundedAt(cause, joint, sim::standardEffects());
+}
+
+void JointSearch::begin() {
+  enter(stageOf({}, Eigen::MatrixXd(data_.size(), 0)));
+  misfit_before_ = misfit(*stage_, stage_->raw());
+  split_ratio_ = splitRatio();
+}
+
+std::unique_ptr<Stage> JointSearch::stageOf(const CauseList& model,
+                                            const Eigen::MatrixXd& jacobian) {
+  return std::make_unique<Stage>(ensemble_, data_, causes_, model, jacobian, effort_);
+}
+
+void JointSearch::enter(std::unique_ptr<Stage> stage) {
+  stage_ = std::move(stage);
+  stage_->simulateNulls(joint_.joint());
+  nulls_ = {};
+  double mean = 0, square = 0;
+  for (const Eigen::VectorXd& null : stage_->nulls()) {
+    nulls_.gains.push_back(stage_->largestGain(stage_->white(null)));
+    nulls_.remainders.push_back(half(stage_->whiteAll(null)));
+    mean += nulls_.remainders.back();
+    square += nulls_.remainders.back() * nulls_.remainders.back();
+  }
+  mean /= static_cast<double>(nulls_.gains.size());
+  square /= static_cast<double>(nulls_.gains.size());
+  const double sd = std::sqrt(std::max(square - mean * mean, 1e-12));
+  for (double& remainder : nulls_.remainders) remainder = (remainder - mean) / sd;
+}
+
+double JointSearch::splitRatio() {
+  const std::vector<Eigen::VectorXd> splits = data_.splits();
+  double sum = 0, null_sum = 0;
+  for (const Eigen::VectorXd& split : splits) sum += stage_->largestGain(stage_->white(split));
+  for (const double gain : nulls_.gains) null_sum += gain;
+  if (splits.empty() || null_sum <= 0) return 1;
+  return sum / static_cast<double>(splits.size()) /
+         (null_sum / static_cast<double>(nulls_.gains.size()));
+}
+
+double JointSearch::critical() const {
+  std::vector<double> largest = nulls_.gains;
+  for (std::size_t i = 0; i < largest.size() && i < others_.gains.size(); ++i) {
+    largest[i] = std::max(largest[i], others_.gains[i]);
+  }
+  return quantile(largest, kConfidence);
+}
+
+// Half the squares of what is left, over what the null sets leave.
+double JointSearch::misfit(const Stage& stage, const Eigen::VectorXd& raw) const {
+  double floor = 0;
+  for (const Eigen::VectorXd& null : stage.nulls()) floor += half(stage.whiteAll(null));
+  floor /= static_cast<double>(std::max<std::size_t>(1, stage.nulls().size()));
+  return std::sqrt(half(stage.whiteAll(raw)) / std::max(floor, 1e-12));
+}
+
+std::vector<JointSearch::Candidate> JointSearch::rank(const Stage& stage) {
+  const double crit = critical();
+  std::vector<Candidate> ranking;
+  const auto starts =
+      startsFor(stage, stage.white(stage.raw()), kWorthFitting * crit, effort_.survivors);
+  for (const QuickFit& start : starts) {
+    if (ensemble_.spent()) {
+      not_tried_.push_back(causes_[start.cause].id);
+      continue;
+    }
+    const QuickFit fit = fitQuickly(ensemble_, data_, stage, causes_, start.cause, start.x,
+                                    stage.raw(), stage.model(), effort_);
+    const auto same = std::find_if(ranking.begin(), ranking.end(),
+                                   [&](const Candidate& c) { return c.cause == fit.cause; });
+    if (same == ranking.end()) {
+      ranking.push_back({fit.cause, fit.x, fit.gain, false, {}});
+    } else if (fit.gain > same->gain) {
+      *same = {fit.cause, fit.x, fit.gain, false, {}};
+    }
+  }
+  const auto better = [](const Candidate& a, const Candidate& b) { return a.gain > b.gain; };
+  std::stable_sort(ranking.begin(), ranking.end(), better);
+  const double best = ranking.empty() ? 0 : ranking.front().gain;
+  for (int i = 0; i < effort_.finalists && i < static_cast<int>(ranking.size()); ++i) {
+    Candidate& candidate = ranking[static_cast<std::size_t>(i)];
+    if (candidate.gain < best - std::max(2 * crit, kClose * best) || ensemble_.spent()) break;
+    CauseList model = stage.model();
+    model.push_back({candidate.cause, candidate.x});
+    candidate.fit = fitFully(ensemble_, data_, stage, causes_, model, effort_);
+    candidate.gain = candidate.fit.gain;
+    candidate.x = candidate.fit.model.back().x;
+    candidate.full = true;
+  }
+  std::stable_sort(ranking.begin(), ranking.end(), better);
+  return ranking;
+}
+
+bool JointSearch::isSmall(const Candidate& candidate) const {
+  const FreeNumber& size = causes_[candidate.cause].free[0];
+  return std::abs(candidate.x[0]) < size.smallest;
+}
+
+double JointSearch::shareOf(const Stage& stage, double gain) const {
+  double floor = 0;
+  for (const Eigen::VectorXd& null : stage_->nulls()) floor += half(stage_->white(null));
+  floor /= static_cast<double>(std::max<std::size_t>(1, stage_->nulls().size()));
+  return gain / std::max(half(stage.white(stage.raw())) - floor, gain);
+}
+
+// Why a candidate may not be named though it fits; empty: nothing against it.
+std::string JointSearch::objection(const Stage& stage, const Candidate& candidate,
+                                   const CrossValidation& validation) const {
+  if (!validation.accepted()) return "does not predict data it was not fitted to";
+  if (shareOf(stage, candidate.gain) < kSmallestShare) return "explains under 3 % of the misfit";
+  const FreeNumber& size = causes_[candidate.cause].free[0];
+  const double margin = 1e-6 * (size.upper - size.lower);
+  if (candidate.x[0] < size.lower + margin || candidate.x[0] > size.upper - margin) {
+    return "fits best at the end of its range";
+  }
+  return "";
+}
+
+void JointSearch::reject(std::size_t cause, double gain, const std::string& reason) {
+  rejected_.push_back({causes_[cause].id, gain, reason});
+}
+
+bool JointSearch::accept(const std::vector<Candidate>& ranking) {
+  const double crit = critical();
+  for (const Candidate& candidate : ranking) {
+    if (candidate.gain <= crit || !candidate.full) return false;
+    const CrossValidation validation =
+        crossValidate(data_, *stage_, candidate.fit, candidate.x.size());
+    const std::string reason = objection(*stage_, candidate, validation);
+    if (!reason.empty()) {
+      reject(candidate.cause, candidate.gain, reason);
+      continue;
+    }
+    Accepted chosen{candidate.cause, candidate.gain,     shareOf(*stage_, candidate.gain),
+                    validation,      isSmall(candidate), {}};
+    accepted_.push_back(chosen);
+    setRivals(accepted_.size() - 1, ranking);
+    fit_ = candidate.fit;
+    enter(stageOf(fit_.model, fit_.jacobian));
+    return true;
+  }
+  return false;
+}
+
+void JointSearch::setRivals(std::size_t place, const std::vector<Candidate>& ranking) {
+  Accepted& chosen = accepted_[place];
+  chosen.rivals.clear();
+  for (const Candidate& rival : ranking) {
+    if (rival.cause == chosen.cause || isSmall(rival)) continue;
+    if (rival.gain < chosen.gain - std::max(critical(), kSame * chosen.gain)) continue;
+    if (samePlace(causes_[rival.cause], causes_[chosen.cause])) continue;
+    chosen.rivals.push_back(rival);
+  }
+}
+
+bool JointSearch::step() {
+  if (static_cast<int>(accepted_.size()) >= effort_.most_causes) return false;
+  return accept(rank(*stage_));
+}
+
+// Each cause competes again with all others for its place beside the rest of the model.
+bool JointSearch::review() {
+  if (accepted_.size() < 2) return false;
+  bool changed = false;
+  int changes = 0;
+  for (std::size_t place = 0; place < accepted_.size() && !ensemble_.spent();) {
+    if (accepted_.size() < 2) return true;
+    if (reviewOne(place) && ++changes < 3) {
+      changed = true;
+      place = 0;
+    } else {
+      ++place;
+    }
+  }
+  return changed;
+}
+
+bool JointSearch::reviewOne(std::size_t place) {
+  CauseList rest = fit_.model;
+  rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(place));
+  Eigen::MatrixXd jacobian(data_.size(), 0);
+  for (std::size_t i = 0, column = 0; i < fit_.model.size(); ++i) {
+    const auto n = static_cast<Eigen::Index>(fit_.model[i].x.size());
+    if (i != place) {
+      const Eigen::Index before = jacobian.cols();
+      jacobian.conservativeResize(Eigen::NoChange, before + n);
+      jacobian.rightCols(n) = fit_.jacobian.middleCols(static_cast<Eigen::Index>(column), n);
+    }
+    column += static_cast<std::size_t>(n);
+  }
+  const std::unique_ptr<Stage> without = stageOf(rest, jacobian);
+  const std::vector<Candidate> ranking = rank(*without);
+  const std::size_t cause = accepted_[place].cause;
+  const auto own = std::find_if(ranking.begin(), ranking.end(),
+                                [&](const Candidate& c) { return c.cause == cause; });
+  const double own_gain = own == ranking.end() ? 0 : own->gain;
+  const bool has_best = !ranking.empty() && ranking.front().full;
+  if (own_gain <= critical() && (!has_best || ranking.front().gain <= critical())) {
+    reject(cause, own_gain, "no longer needed beside the others");
+    accepted_.erase(accepted_.begin() + static_cast<std::ptrdiff_t>(place));
+    fit_ = fitFully(ensemble_, data_, *without, causes_, rest, effort_);
+    enter(stageOf(fit_.model, fit_.jacobian));
+    return true;
+  }
+  if (has_best && ranking.front().cause != cause &&
+      ranking.front().gain > own_gain + std::max(2.0, kSwap * own_gain)) {
+    const Candidate& best = ranking.front();
+    reject(cause, own_gain, "explained better by " + causes_[best.cause].id);
+    Accepted swapped{best.cause,
+                     best.gain,
+                     accepted_[place].share,
+                     crossValidate(data_, *without, best.fit, best.x.size()),
+                     isSmall(best),
+                     {}};
+    accepted_.erase(accepted_.begin() + static_cast<std::ptrdiff_t>(place));
+    accepted_.push_back(swapped);
+    setRivals(accepted_.size() - 1, ranking);
+    fit_ = best.fit;
+    enter(stageOf(fit_.model, fit_.jacobian));
+    return true;
+  }
+  accepted_[place].gain = own_gain;
+  setRivals(place, ranking);
+  return false;
+}
+
+JointVerdict JointSearch::conclude(const NullRecord& others) {
+  others_ = others;
+  for (int round = 0; round < 2; ++round) {  // a review may make room for one more
+    while (step()) {
+    }
+    if (!review()) break;
+  }
+  rejectTheRest();
+  JointVerdict verdict;
+  describe(verdict);
+  judge(verdict);
+  return verdict;
+}
+
+void JointSearch::rejectTheRest() {
+  const Eigen::VectorXd white = stage_->white(stage_->raw());
+  for (std::size_t c = 0; c < causes_.size(); ++c) {
+    double best = 0, response = 0;
+    bool looked = false;
+    for (const Look& look : stage_->looks()) {
+      if (look.cause != c) continue;
+      looked = true;
+      best = std::max(best, Stage::gain(look, white));
+      response = std::max(response, look.white.squaredNorm());
+    }
+    const auto known = [&](const Rejected& one) { return one.cause == causes_[c].id; };
+    if (!looked || std::any_of(rejected_.begin(), rejected_.end(), known)) continue;
+    if (response < kExcited) {
+      reject(c, best, "not excited: no motion of this set shows it, it cannot be judged");
+    } else {
+      reject(c, best, "its gain is below the threshold");
+    }
+  }
+}
+
+}  // namespace nao::validation

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "validation/diagnosis/candidate_fit.h"
+#include "validation/diagnosis/cross_validation.h"
+#include "validation/diagnosis/verdict.h"
+
+namespace nao::validation {
+
+/// What the null sets of a joint, simulated at its model, show by chance; one entry per set.
+struct NullRecord {
+  std::vector<double> gains;       // [nats] the largest of any candidate
+  std::vector<double> remainders;  // misfit in SDs of itself
+};
+
+/// The search for the causes of one joint's misfit: forward selection with swap and elimination.
+/// begin() looks at every candidate, conclude() decides with what all joints show by chance.
+/// One thread.
+class JointSearch {
+ public:
+  JointSearch(const JointSimulator& joint, const JointNoise& noise, std::vector<Cause> causes,
+              const Effort& effort, long granted_runs);
+
+  void begin();
+  const NullRecord& nulls() const { return nulls_; }
+
+  /// `others`: the largest of all other joints, by null set.
+  JointVerdict conclude(const NullRecord& others);
+
+  const std::vector<Cause>& causes() const { return causes_; }
+  const Stage& stage() const { return *stage_; }
+  const JointData& data() const { return data_; }
+
+ private:
+  struct Candidate {  // of one stage
+    std::size_t cause = 0;
+    std::vector<double> x;
+    double gain = 0;
+    bool full = false;  // fitted with final_runs, all numbers at once
+    ModelFit fit;
+  };
+  struct Accepted {
+    std::size_t cause = 0;
+    double gain = 0, share = 0;
+    CrossValidation validation;
+    bool small = false;
+    std::vector<Candidate> rivals;
+  };
+
+  std::unique_ptr<Stage> stageOf(const CauseList& model, const Eigen::MatrixXd& jacobian);
+  void enter(std::unique_ptr<Stage> stage);
+  double critical() const;
+  std::vector<Candidate> rank(const Stage& stage);
+  bool step();
+  bool accept(const std::vector<Candidate>& ranking);
+  std::string objection(const Stage& stage, const Candidate& candidate,
+                        const CrossValidation& validation) const;
+  bool isSmall(const Candidate& candidate) const;
+  double shareOf(const Stage& stage, double gain) const;
+  bool review();
+  bool reviewOne(std::size_t place);
+  void setRivals(std::size_t place, const std::vector<Candidate>& ranking);
+  void reject(std::size_t cause, double gain, const std::string& reason);
+  void judge(JointVerdict& verdict);
+  void describe(JointVerdict& verdict);
+  void rejectTheRest();
+  double misfit(const Stage& stage, const Eigen::VectorXd& raw) const;
+  double splitRatio();
+
+  const JointSimulator& joint_;
+  std::vector<Cause> causes_;
+  Effort effort_;
+  JointData data_;
+  Ensemble ensemble_;
+  std::unique_ptr<Stage> stage_;
+  ModelFit fit_;  // of the model, where it is not empty
+  NullRecord nulls_, others_;
+  double misfit_before_ = 0, split_ratio_ = 0;
+  std::vector<Accepted> accepted_;  // in the order of the model
+  std::vector<Rejected> rejected_;
+  std::vector<std::string> not_tried_;
+};
+
+/// The q-quantile of `values`, linear between order statistics.
+double quantile(std::vector<double> values, double q);
+
+}  // namespace nao::validation

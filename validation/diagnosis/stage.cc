@@ -1,0 +1,185 @@
+#include "validation/diagnosis/stage.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/random.h"
+
+namespace nao::validation {
+namespace {
+
+constexpr double kFurthest = 1.5;  // a rough cause's look says nothing of sizes beyond
+
+Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
+  if (columns.cols() == 0) return columns;
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
+  return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
+}
+
+Eigen::VectorXd without(const Eigen::MatrixXd& basis, const Eigen::VectorXd& x) {
+  if (basis.cols() == 0) return x;
+  return x - basis * (basis.transpose() * x);
+}
+
+// All combinations of the start values of a cause's numbers, sizes first.
+std::vector<std::vector<double>> startsOf(const Cause& cause) {
+  std::vector<std::vector<double>> all = {{}};
+  for (const FreeNumber& number : cause.free) {
+    std::vector<std::vector<double>> longer;
+    for (const auto& begun : all) {
+      for (const double start : number.starts) {
+        if (start < number.lower || start > number.upper) continue;
+        longer.push_back(begun);
+        longer.back().push_back(start);
+      }
+    }
+    all = std::move(longer);
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<EffectSetting> settingsOf(const std::vector<Cause>& causes, const CauseList& chosen) {
+  std::vector<EffectSetting> settings;
+  for (const Chosen& one : chosen) settings.push_back(settingOf(causes[one.cause], one.x));
+  return settings;
+}
+
+Stage::Stage(Ensemble& ensemble, const JointData& data, const std::vector<Cause>& causes,
+             CauseList model, const Eigen::MatrixXd& jacobian, const Effort& effort)
+    : data_(data),
+      causes_(causes),
+      ensemble_(ensemble),
+      model_(std::move(model)),
+      jacobian_(jacobian),
+      effort_(effort) {
+  const auto settings = settingsOf(causes, model_);
+  base_ = ensemble.mean(settings, effort.base_runs);
+  look_base_ = ensemble.mean(settings, effort.look_runs);
+  raw_ = data.mean() - base_;
+  look(ensemble, effort);
+  const Eigen::MatrixXd disturbances = directions(effort, ensemble.noise().start_sd);
+  // The prediction is a mean too: of base_runs where the measurement has its repeats.
+  Eigen::VectorXd sd = data.sd();
+  for (const MotionSpan& span : data.spans()) {
+    sd.segment(span.offset, span.size()) *=
+        std::sqrt(1 + static_cast<double>(span.repeats) / effort.base_runs);
+  }
+  const Eigen::Index n = data.fitSize();
+  fit_ = Whitening(sd.head(n), disturbances.topRows(n));
+  all_ = Whitening(sd, disturbances);
+  Eigen::MatrixXd own_fit(n, jacobian.cols()), own_all(data.size(), jacobian.cols());
+  for (Eigen::Index i = 0; i < jacobian.cols(); ++i) {
+    own_fit.col(i) = fit_(jacobian.col(i).head(n));
+    own_all.col(i) = all_(jacobian.col(i));
+  }
+  own_fit_ = orthonormal(own_fit);
+  own_all_ = orthonormal(own_all);
+  for (Look& one : looks_) one.white = white(one.raw);
+}
+
+void Stage::look(Ensemble& ensemble, const Effort& effort) {
+  for (std::size_t c = 0; c < causes_.size(); ++c) {
+    const bool taken = std::any_of(model_.begin(), model_.end(),
+                                   [&](const Chosen& one) { return one.cause == c; });
+    if (taken) continue;
+    for (const std::vector<double>& x : startsOf(causes_[c])) lookAt(ensemble, c, x, effort);
+  }
+}
+
+void Stage::lookAt(Ensemble& ensemble, std::size_t cause, const std::vector<double>& x,
+                   const Effort& effort) {
+  const Cause& what = causes_[cause];
+  CauseList with = model_;
+  with.push_back({cause, x});
+  Look found{cause, x, {}, {}, 0, 0};
+  found.raw = ensemble.mean(settingsOf(causes_, with), effort.look_runs) - look_base_;
+  const double to_lower = what.free[0].lower / x[0], to_upper = what.free[0].upper / x[0];
+  found.lower = std::min(to_lower, to_upper);
+  found.upper = std::max(to_lower, to_upper);
+  if (!what.linear) {
+    found.lower = std::max(0.0, found.lower);
+    found.upper = std::min(kFurthest, found.upper);
+  }
+  looks_.push_back(std::move(found));
+}
+
+// Along which residuals may differ from white noise by one SD: the start of every motion, and what
+// equal robots differ by.
+Eigen::MatrixXd Stage::directions(const Effort& effort, double start_sd) {
+  std::vector<Eigen::VectorXd> columns;
+  for (const MotionSpan& span : data_.spans()) {
+    Eigen::VectorXd late = Eigen::VectorXd::Zero(data_.size());
+    const double sd = start_sd * std::sqrt(1.0 / span.repeats + 1.0 / effort.base_runs);
+    for (Eigen::Index s = 0; s < span.signals; ++s) {
+      const Eigen::Index at = span.offset + s * span.rows;
+      for (Eigen::Index i = 1; i + 1 < span.rows; ++i) {
+        late[at + i] = sd * (base_[at + i + 1] - base_[at + i - 1]) / (2 * span.dt);
+      }
+    }
+    columns.push_back(late);
+  }
+  const std::size_t own = columns.size();
+  std::size_t seen = causes_.size();
+  for (const Look& one : looks_) {  // the first look at each cause
+    if (causes_[one.cause].spread > 0 && one.cause != seen) {
+      columns.push_back(one.raw * (causes_[one.cause].spread / one.x[0]));
+    }
+    seen = one.cause;
+  }
+  for (std::size_t i = 0, column = 0; i < model_.size(); ++i) {
+    const Cause& what = causes_[model_[i].cause];
+    if (what.spread > 0) {
+      columns.push_back(jacobian_.col(static_cast<Eigen::Index>(column)) * what.spread);
+    }
+    column += what.free.size();
+  }
+  Eigen::MatrixXd all(data_.size(), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    all.col(static_cast<Eigen::Index>(i)) = columns[i];
+  undeclared_ = all.rightCols(static_cast<Eigen::Index>(columns.size() - own));
+  return all;
+}
+
+void Stage::simulateNulls(const std::string& joint) {
+  const auto settings = settingsOf(causes_, model_);
+  for (int set = 0; set < effort_.null_sets; ++set) {
+    Random random(static_cast<std::uint64_t>(set) + 1, "undeclared." + joint);
+    Eigen::VectorXd residual = ensemble_.measuredAgain(settings, StreamUse::Null, set) - base_;
+    for (Eigen::Index i = 0; i < undeclared_.cols(); ++i) {
+      residual += undeclared_.col(i) * random.uniform(-std::sqrt(3.0), std::sqrt(3.0));
+    }
+    nulls_.push_back(std::move(residual));
+  }
+}
+
+Eigen::VectorXd Stage::whitenFit(const Eigen::VectorXd& raw) const {
+  return fit_(raw.head(data_.fitSize()));
+}
+
+Eigen::VectorXd Stage::white(const Eigen::VectorXd& raw) const {
+  return without(own_fit_, whitenFit(raw));
+}
+
+Eigen::VectorXd Stage::whiteAll(const Eigen::VectorXd& raw) const {
+  return without(own_all_, all_(raw));
+}
+
+double Stage::gain(const Look& look, const Eigen::VectorXd& white, double* scale) {
+  const double along = look.white.dot(white), square = look.white.squaredNorm();
+  if (square <= 0) return 0;
+  const double best = std::clamp(along / square, look.lower, look.upper);
+  if (scale != nullptr) *scale = best;
+  return best * along - best * best * square / 2;
+}
+
+double Stage::largestGain(const Eigen::VectorXd& white) const {
+  double largest = 0;
+  for (const Look& one : looks_) largest = std::max(largest, gain(one, white));
+  return largest;
+}
+
+}  // namespace nao::validation

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "validation/diagnosis/causes.h"
+#include "validation/diagnosis/ensemble.h"
+#include "validation/diagnosis/joint_data.h"
+#include "validation/diagnosis/whitening.h"
+
+namespace nao::validation {
+
+/// How much a diagnosis simulates.
+struct Effort {
+  int look_runs = 8;    // per motion, of a candidate's looks and first fit
+  int final_runs = 32;  // of the fits of finalists
+  int base_runs = 64;   // of the model that the measurement is compared with
+  int null_sets = 200;
+  int survivors = 8;    // candidates that are fitted at all
+  int finalists = 4;    // that are fitted with final_runs
+  int most_causes = 4;  // named for one joint
+};
+
+/// A cause with its numbers, as part of a model.
+struct Chosen {
+  std::size_t cause = 0;  // in the list of causes
+  std::vector<double> x;
+};
+using CauseList = std::vector<Chosen>;
+
+std::vector<EffectSetting> settingsOf(const std::vector<Cause>& causes, const CauseList& chosen);
+
+/// What switching a cause on does to the prediction, once, at its start values.
+struct Look {
+  std::size_t cause = 0;
+  std::vector<double> x;
+  Eigen::VectorXd raw;          // change of the predicted mean, all motions
+  Eigen::VectorXd white;        // of the fit motions, whitened
+  double lower = 0, upper = 0;  // how far it may be scaled
+};
+
+/// A model, compared with the measurement: residual, its whitening, one look at every cause that
+/// is not part of the model, and what the residual would be if the model were right.
+class Stage {
+ public:
+  /// `jacobian`: the change of the prediction per number of the model, column by column.
+  Stage(Ensemble& ensemble, const JointData& data, const std::vector<Cause>& causes,
+        CauseList model, const Eigen::MatrixXd& jacobian, const Effort& effort);
+
+  /// Residuals of data sets measured again at this model, undeclared differences included.
+  void simulateNulls(const std::string& joint);
+
+  const CauseList& model() const { return model_; }
+  const std::vector<Look>& looks() const { return looks_; }
+  /// Measured minus predicted mean, as measured.
+  const Eigen::VectorXd& raw() const { return raw_; }
+  /// The prediction of the model by Effort::look_runs runs, to subtract from others of as many.
+  const Eigen::VectorXd& lookBase() const { return look_base_; }
+  const Eigen::MatrixXd& jacobian() const { return jacobian_; }
+  const std::vector<Eigen::VectorXd>& nulls() const { return nulls_; }  // raw
+
+  /// A residual of all motions: its fit motions whitened, and what the model's own numbers could
+  /// still explain taken off.
+  Eigen::VectorXd white(const Eigen::VectorXd& raw) const;
+  /// The same for all motions, for the remainder.
+  Eigen::VectorXd whiteAll(const Eigen::VectorXd& raw) const;
+  /// Whitened only: fit motions, or all.
+  Eigen::VectorXd whitenFit(const Eigen::VectorXd& raw) const;
+  Eigen::VectorXd whitenAll(const Eigen::VectorXd& raw) const { return all_(raw); }
+
+  /// What a look explains of a white() residual at its best scale [nats].
+  static double gain(const Look& look, const Eigen::VectorXd& white, double* scale = nullptr);
+  /// The largest gain of any look.
+  double largestGain(const Eigen::VectorXd& white) const;
+
+ private:
+  void look(Ensemble& ensemble, const Effort& effort);
+  void lookAt(Ensemble& ensemble, std::size_t cause, const std::vector<double>& x,
+              const Effort& effort);
+  Eigen::MatrixXd directions(const Effort& effort, double start_sd);
+
+  const JointData& data_;
+  const std::vector<Cause>& causes_;
+  Ensemble& ensemble_;
+  CauseList model_;
+  Eigen::MatrixXd jacobian_;
+  Effort effort_;
+  Eigen::VectorXd base_, look_base_, raw_;
+  std::vector<Look> looks_;
+  Eigen::MatrixXd undeclared_;  // one SD of each difference between equal robots
+  Whitening fit_, all_;
+  Eigen::MatrixXd own_fit_, own_all_;  // orthonormal: what the model's numbers explain
+  std::vector<Eigen::VectorXd> nulls_;
+};
+
+}  // namespace nao::validation

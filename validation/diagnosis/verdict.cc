@@ -1,0 +1,85 @@
+#include "validation/diagnosis/verdict.h"
+
+#include <algorithm>
+
+namespace nao::validation {
+namespace {
+
+int gravity(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::NoDiscrepancy:
+      return 0;
+    case Verdict::Named:
+      return 1;
+    case Verdict::Ambiguous:
+      return 2;
+    case Verdict::PartlyExplained:
+      return 3;
+    case Verdict::Unknown:
+      return 4;
+    case Verdict::Unfinished:
+      return 5;
+    case Verdict::DataFault:
+      return 6;
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::vector<const Finding*> JointVerdict::named() const {
+  std::vector<const Finding*> found;
+  for (const Finding& one : findings) {
+    if (!one.small) found.push_back(&one);
+  }
+  return found;
+}
+
+const char* wordOf(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::NoDiscrepancy:
+      return "no_discrepancy";
+    case Verdict::Named:
+      return "named";
+    case Verdict::Ambiguous:
+      return "ambiguous";
+    case Verdict::PartlyExplained:
+      return "partly_explained";
+    case Verdict::Unknown:
+      return "unknown";
+    case Verdict::DataFault:
+      return "data_fault";
+    case Verdict::Unfinished:
+      return "unfinished";
+  }
+  return "";
+}
+
+int exitCodeOf(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::NoDiscrepancy:
+      return 0;
+    case Verdict::Named:
+      return 10;
+    case Verdict::Ambiguous:
+      return 11;
+    case Verdict::PartlyExplained:
+    case Verdict::Unknown:
+      return 12;
+    case Verdict::Unfinished:
+      return 13;
+    case Verdict::DataFault:
+      return 20;
+  }
+  return 1;
+}
+
+Verdict overall(const std::vector<JointVerdict>& joints) {
+  Verdict worst = Verdict::NoDiscrepancy;
+  for (const JointVerdict& joint : joints) {
+    if (gravity(joint.verdict) > gravity(worst)) worst = joint.verdict;
+  }
+  return worst;
+}
+
+}  // namespace nao::validation

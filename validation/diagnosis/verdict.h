@@ -1,0 +1,84 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace nao::validation {
+
+/// A number of a named cause, as a person reads it.
+struct FoundNumber {
+  std::string parameter, unit;
+  double value = 0;          // of the effect's parameter
+  double deviation = 0;      // from the nominal model
+  double low = 0, high = 0;  // 90 % interval of the deviation
+};
+
+/// Another cause that explains the data about as well.
+struct Rival {
+  std::string cause;
+  std::vector<FoundNumber> numbers;
+  double behind = 0;  // [nats] of gain
+};
+
+/// A cause that is part of a joint's fitted model.
+struct Finding {
+  std::string cause;   // id in the catalogue of causes
+  std::string effect;  // of sim/effects
+  std::vector<FoundNumber> numbers;
+  double gain = 0;   // [nats] on the fit motions
+  double share = 0;  // of the excess misfit at that stage
+  int folds = 0, folds_better = 0;
+  double held_out_gain = 0;  // [nats]
+  bool one_motion_only = false;
+  bool small = false;         // below its size of interest: fitted, never named
+  std::vector<Rival> rivals;  // none: named alone
+  std::string sentence;
+  std::string experiment;  // that separates it from its rivals
+};
+
+/// What became of a candidate that is not part of the model.
+struct Rejected {
+  std::string cause;
+  double gain = 0;  // [nats] it would have brought
+  std::string reason;
+};
+
+enum class Verdict {
+  NoDiscrepancy,
+  Named,
+  Ambiguous,
+  PartlyExplained,  // named or ambiguous, and something remains
+  Unknown,
+  DataFault,
+  Unfinished,
+};
+
+/// The diagnosis of one joint.
+struct JointVerdict {
+  std::string joint;
+  Verdict verdict = Verdict::NoDiscrepancy;
+  std::vector<Finding> findings;  // in the order they were found
+  std::vector<Rejected> rejected;
+  std::vector<std::string> not_tried;
+  double critical_gain = 0;                            // [nats] the threshold, of the whole set
+  double misfit_before = 0, misfit_after = 0;          // whitened, in units of the noise floor
+  double remainder_score = 0, remainder_critical = 0;  // in SDs of the null sets
+  double split_ratio =
+      0;  // gains of repeat splits over gains of null sets: 1 if the noise is right
+  bool with_repeats = true;
+  long runs = 0;          // simulated
+  std::string signature;  // of the remainder; empty: none was sought
+
+  /// The findings that count: of interest.
+  std::vector<const Finding*> named() const;
+};
+
+/// The word of the report: "named", "partly_explained" ...
+const char* wordOf(Verdict verdict);
+/// Of the command line: 0 none, 10 named, 11 ambiguous, 12 unknown or partly explained, 13
+/// unfinished, 20 data fault.
+int exitCodeOf(Verdict verdict);
+/// What a set with these joints comes to: the gravest of them.
+Verdict overall(const std::vector<JointVerdict>& joints);
+
+}  // namespace nao::validation
