@@ -114,8 +114,10 @@ JointSignals JointRig::run(const std::vector<EffectSetting>& effects, const Join
                            const JointLoad& load, const RigChance& chance, Duration settle,
                            const EffectCatalogue& catalogue) const {
   const std::size_t rows = orders.angle.size();
-  NAO_CHECK(rows > 0 && load.inertia.size() == rows && load.torque.size() == rows &&
-            load.reference.size() == rows && load.slope.size() == rows);
+  NAO_CHECK(rows > 0 && load.per_row > 0 && (row() / step_) % load.per_row == 0);
+  const std::size_t values = (rows - 1) * static_cast<std::size_t>(load.per_row) + 1;
+  NAO_CHECK(load.inertia.size() == values && load.torque.size() == values &&
+            load.reference.size() == values && load.slope.size() == values);
   NAO_CHECK(orders.stiffness.empty() || orders.stiffness.size() == rows);
   EffectChain chain(catalogue, cut(effects, catalogue), cut_, step_, chance.stream, cut_.name);
   JointRigRun run(cut_, step_, chain, orders, load, chance);

@@ -20,11 +20,13 @@ JointReach reachOf(const EffectType& type);
 /// True if a rig can tell what the effect does to one joint, its load calculated anew or not.
 bool actsOnJoint(const EffectType& type);
 
-/// The rest of the body as one joint feels it while everything moves as given; a value per row of
-/// time, linear between rows. At angle q of the link the body asks for
+/// The rest of the body as one joint feels it while everything moves as given; `per_row` values per
+/// row of orders, linear between values, the last at the last row. At angle q of the link the body
+/// asks for
 ///   inertia q'' + torque + slope (q - reference)
 /// from the motor, whose own rotor is not part of it.
 struct JointLoad {
+  int per_row = 1;
   std::vector<double> inertia;    // [kg m^2]
   std::vector<double> torque;     // [N m] at `reference`
   std::vector<double> reference;  // [rad] of the link

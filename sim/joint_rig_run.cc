@@ -94,7 +94,7 @@ JointRigRun::JointRigRun(const RobotModel& model, Duration step, EffectChain& ef
   lower_ = 1, upper_ = -1;  // look at them always
   for (std::size_t j = 1; j < model.jointCount(); ++j) {
     const auto other = load.others.find(model.actuators[j].name);
-    NAO_CHECK(other != load.others.end() && other->second.size() == orders.angle.size());
+    NAO_CHECK(other != load.others.end() && other->second.size() == load.torque.size());
     others_.push_back({&other->second, {}});
   }
 }
@@ -117,16 +117,17 @@ JointSignals JointRigRun::all(Duration settle) {
     report(before);
     steps(row_steps);
   }
+  const long part_steps = row_steps / load_.per_row;
   for (std::size_t k = 0;; ++k) {
-    report(signals);
-    if (k + 1 == rows) return signals;
-    const auto n = static_cast<double>(row_steps);
+    if (k % static_cast<std::size_t>(load_.per_row) == 0) report(signals);
+    if (signals.angle.size() == rows) return signals;
+    const auto n = static_cast<double>(part_steps);
     inertia_.go(load_.inertia, k, n);
     bias_.go(load_.torque, k, n);
     reference_.go(load_.reference, k, n);
     slope_.go(load_.slope, k, n);
     for (Other& other : others_) other.line.go(*other.angle, k, n);
-    steps(row_steps);
+    steps(part_steps);
   }
 }
 

@@ -33,7 +33,7 @@ class DelayLine {
   /// The later of the two, for what does not pass through values in between.
   double lateWhole(std::size_t i) const { return at(i, whole_); }
   void next() {
-    newest_ = (newest_ + 1) % slots();
+    if (++newest_ == slots()) newest_ = 0;
     begun_ = 1;
   }
 
@@ -48,7 +48,8 @@ class DelayLine {
 
   std::size_t slots() const { return whole_ + 2; }
   double at(std::size_t i, std::size_t ago) const {
-    return values_[(newest_ + slots() - ago) % slots() * numbers_ + i];
+    const std::size_t slot = newest_ < ago ? newest_ + slots() - ago : newest_ - ago;
+    return values_[slot * numbers_ + i];
   }
 
   std::size_t numbers_;

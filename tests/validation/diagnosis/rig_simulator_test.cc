@@ -1,0 +1,148 @@
+#include "validation/diagnosis/rig_simulator.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/models.h"
+#include "validation/diagnosis/replay.h"
+#include "validation/log/simulated_recording.h"
+#include "validation/suspended.h"
+
+namespace nao::validation {
+namespace {
+
+const JointNoise kNoise{0.1, 0.05, 5e-4, 0};
+
+std::vector<EffectSetting> torqueNoise() {
+  return {{"process_noise", {{"sd", kNoise.torque_sd}, {"time", kNoise.torque_time}}, {}, ""}};
+}
+
+// The limb of `joint`, hung up, in two standard motions of six runs by a World at 0.25 ms.
+struct Recorded {
+  explicit Recorded(const char* joint, const std::vector<EffectSetting>& hidden = {},
+                    const char* robot = "nao_h21_v33") {
+    model = std::make_shared<RobotModel>(
+        cutLimbs(stripped(suspend(*nao::test::robot(robot))), {joint}));
+    RecordingPlan plan;
+    plan.model = model;
+    plan.motions = standardRecording(model);
+    plan.motions = {plan.motions[0], plan.motions[3]};  // slow ramps, fast ramps and steps
+    plan.extra = torqueNoise();
+    plan.extra.insert(plan.extra.end(), hidden.begin(), hidden.end());
+    plan.start_sd = kNoise.start_sd;
+    RigOptions options;
+    options.noise = torqueNoise();
+    set = std::make_shared<RigSet>(recordSimulated(plan), model, options);
+  }
+
+  JointReplay replay(const char* joint, const std::vector<EffectSetting>& causes = {}) const {
+    const RigSimulator simulator(set, *model->findJoint(joint));
+    return replayJoint(simulator, causes, kNoise, 24, {Split::Fit});
+  }
+
+  EffectSetting effect(const char* name, std::map<std::string, double> parameters,
+                       const char* joint) const {
+    return {name, std::move(parameters), {*model->findJoint(joint)}, ""};
+  }
+
+  std::shared_ptr<RobotModel> model;
+  std::shared_ptr<const RigSet> set;
+};
+
+// A perfect model's misfit is 1 but for what the spread of 6 runs, the start drawn 6 times, and a
+// torque with a memory of 0.05 s leave to chance: 12 s are 120 independent samples, +-6 %, and the
+// mean of six starts.
+constexpr double kNull = 1.25;
+
+TEST(RigSimulator, OfAPerfectModelNoiseExplainsAll) {
+  const Recorded legs("LKneePitch");
+  for (const char* joint : {"LHipYawPitch", "LHipPitch", "LKneePitch", "LAnkleRoll"}) {
+    const JointReplay replay = legs.replay(joint);
+    EXPECT_LT(replay.misfit, kNull) << joint;
+    EXPECT_GT(replay.misfit, 0.5) << joint;
+    EXPECT_NEAR(replay.simulated_sd, replay.real_sd, 0.25 * replay.real_sd) << joint;
+    // Without noise play comes to rest elsewhere: a perfect model would look wrong.
+    EXPECT_GT(replay.noise_free_rmse, replay.rmse) << joint;
+  }
+}
+
+TEST(RigSimulator, KnowsWhatTheWorldHides) {
+  const EffectSetting friction{"coulomb_friction", {{"torque", 0.25}}, {}, ""};
+  const Recorded arm("LElbowRoll", {friction});
+  EXPECT_GT(arm.replay("LElbowRoll").misfit, 3);
+  EXPECT_LT(arm.replay("LElbowRoll", {friction}).misfit, kNull);
+  EXPECT_LT(arm.replay("LShoulderPitch", {friction}).misfit, kNull);
+}
+
+TEST(RigSimulator, CalculatesLoadsAnewForOtherMasses) {
+  const Recorded nominal("LElbowRoll");
+  const EffectSetting payload =
+      nominal.effect("payload", {{"mass", 0.3}, {"x", 0.1}}, "LElbowRoll");
+  const EffectSetting tilt{"ground_tilt", {{"x", 0}, {"y", 0.4}}, {}, ""};
+  const Recorded arm("LElbowRoll", {payload, tilt});
+  EXPECT_GT(arm.replay("LShoulderPitch").misfit, 3);
+  EXPECT_LT(arm.replay("LShoulderPitch", {payload, tilt}).misfit, kNull);
+}
+
+TEST(RigSimulator, DrawsByStreamAloneWhateverTheCauses) {
+  const Recorded head("HeadYaw");
+  const RigSimulator simulator(head.set, *head.model->findJoint("HeadYaw"));
+  const auto angles = [&](const std::vector<EffectSetting>& causes, std::uint64_t stream) {
+    return Eigen::VectorXd(simulator.run(causes, 0, stream, kNoise).col(0));
+  };
+  EXPECT_EQ(angles({}, 3), angles({}, 3));
+  EXPECT_NE(angles({}, 3), angles({}, 4));
+  const EffectSetting gain = head.effect("kp_error", {{"part", 0.01}}, "HeadYaw");
+  const double by_cause = (angles({gain}, 3) - angles({}, 3)).norm();
+  const double by_stream = (angles({}, 4) - angles({}, 3)).norm();
+  EXPECT_LT(by_cause, 0.5 * by_stream);
+}
+
+TEST(RigSimulator, RefusesARobotOnItsFeet) {
+  LogSet set;
+  set.rate = 100;
+  EXPECT_THROW(RigSet(set, nao::test::robot("nao_h21_v33")), InputError);
+}
+
+LogSet oneRun() {
+  LogSet set;
+  set.rate = 100;
+  set.joints.resize(1);
+  set.joints[0].name = "hinge";
+  LogRun run;
+  run.motion = "m";
+  run.t = {0, 0.012, 0.02, 0.031};
+  run.columns["cmd.hinge"] = {1, 2, kUnknown, 3};
+  run.columns["q.hinge"] = {0, 0.12, kUnknown, 0.31};
+  set.runs.push_back(run);
+  return set;
+}
+
+TEST(Grid, HoldsCommandsAndDrawsLinesBetweenAngles) {
+  const auto model = nao::test::pendulum(1, 0.1);
+  LogSet set = oneRun();
+  const GriddedMotion motion = griddedMotions(set, *model).front();
+  ASSERT_EQ(motion.rows, 4u);
+  EXPECT_EQ(motion.runs[0].command.at(toJoint(0)), (std::vector<double>{1, 1, 2, 2}));
+  const std::vector<double>& angle = motion.runs[0].angle.at(toJoint(0));
+  EXPECT_NEAR(angle[1], 0.1, 1e-12);
+  EXPECT_NEAR(angle[3], 0.30, 1e-12);
+  set.joints[0].sign = -1;
+  set.joints[0].zero = 0.5;
+  const GriddedMotion turned = griddedMotions(set, *model).front();
+  EXPECT_NEAR(turned.runs[0].angle.at(toJoint(0))[1], 0.4, 1e-12);
+}
+
+TEST(Grid, RefusesRunsOfOneMotionThatDiffer) {
+  LogSet set = oneRun();
+  set.runs.push_back(set.runs[0]);
+  set.runs[1].kp_scale = 2;
+  EXPECT_THROW(griddedMotions(set, *nao::test::pendulum(1, 0.1)), InputError);
+  set = oneRun();
+  set.joints[0].name = "tail";
+  EXPECT_THROW(griddedMotions(set, *nao::test::pendulum(1, 0.1)), InputError);
+}
+
+}  // namespace
+}  // namespace nao::validation

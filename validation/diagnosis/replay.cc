@@ -1,0 +1,72 @@
+#include "validation/diagnosis/replay.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/check.h"
+
+namespace nao::validation {
+namespace {
+
+struct Sums {
+  double error = 0, explained = 0, floor = 0, real = 0, simulated = 0, noise_free = 0;
+  double samples = 0;
+
+  void add(const JointMotion& motion, const RunSpread& measured, const RunSpread& ensemble,
+           const Eigen::VectorXd& alone, int runs) {
+    const auto repeats = static_cast<double>(motion.repeats.size());
+    // A single run has no spread of its own: that of the model stands in.
+    const Eigen::VectorXd& spread = repeats > 1 ? measured.variance : ensemble.variance;
+    error += (measured.mean - ensemble.mean).squaredNorm();
+    explained += (spread / repeats + ensemble.variance / runs).sum();
+    floor += spread.sum() / repeats;
+    real += measured.variance.sum();
+    simulated += ensemble.variance.sum();
+    noise_free += (measured.mean - alone).squaredNorm();
+    samples += static_cast<double>(measured.mean.size());
+  }
+};
+
+}  // namespace
+
+RunSpread spreadOf(const std::vector<Eigen::MatrixXd>& runs, Eigen::Index signal) {
+  NAO_CHECK(!runs.empty());
+  const auto count = static_cast<double>(runs.size());
+  RunSpread spread{Eigen::VectorXd::Zero(runs[0].rows()), Eigen::VectorXd::Zero(runs[0].rows())};
+  for (const Eigen::MatrixXd& run : runs) spread.mean += run.col(signal) / count;
+  for (const Eigen::MatrixXd& run : runs) {
+    spread.variance += (run.col(signal) - spread.mean).cwiseAbs2() / std::max(1.0, count - 1);
+  }
+  return spread;
+}
+
+JointReplay replayJoint(const JointSimulator& joint, const std::vector<EffectSetting>& causes,
+                        const JointNoise& noise, int runs, const std::vector<Split>& splits) {
+  Sums sums;
+  for (std::size_t m = 0; m < joint.measured().size(); ++m) {
+    const JointMotion& motion = joint.measured()[m];
+    if (std::find(splits.begin(), splits.end(), motion.split) == splits.end()) continue;
+    std::vector<Eigen::MatrixXd> simulated;
+    for (int r = 0; r < runs; ++r) {
+      simulated.push_back(joint.run(causes, m, static_cast<std::uint64_t>(r) + 1, noise));
+    }
+    JointNoise none;
+    none.quantum = noise.quantum;
+    sums.add(motion, spreadOf(motion.repeats, 0), spreadOf(simulated, 0),
+             joint.run(causes, m, 0, none).col(0), runs);
+  }
+  JointReplay replay;
+  replay.joint = joint.joint();
+  if (sums.samples == 0) return replay;
+  const auto rms = [&](double sum) { return std::sqrt(sum / sums.samples); };
+  replay.rmse = rms(sums.error);
+  replay.floor = rms(sums.floor);
+  replay.misfit = sums.explained > 0 ? std::sqrt(sums.error / sums.explained) : 0;
+  replay.share = sums.error > 0 ? std::max(0.0, 1 - sums.explained / sums.error) : 0;
+  replay.real_sd = rms(sums.real);
+  replay.simulated_sd = rms(sums.simulated);
+  replay.noise_free_rmse = rms(sums.noise_free);
+  return replay;
+}
+
+}  // namespace nao::validation

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "validation/diagnosis/joint_simulator.h"
+
+namespace nao::validation {
+
+/// How far the model is from the measurement of one joint's angle, over some motions.
+struct JointReplay {
+  std::string joint;
+  double rmse = 0;          // [rad] mean of the repeats against mean of the simulated runs
+  double floor = 0;         // [rad] SD of the mean of the repeats: what noise alone leaves
+  double misfit = 0;        // rmse over what the spreads of both means explain; 1: nothing is wrong
+  double share = 0;         // of the squared error that noise does not explain
+  double real_sd = 0;       // [rad] of one run about the mean, measured
+  double simulated_sd = 0;  // [rad] the same of the model with this noise
+  double noise_free_rmse = 0;  // [rad] against one run without noise
+};
+
+/// Replays the commands of the motions of these splits on the model with `causes` and its noise,
+/// `runs` times each.
+JointReplay replayJoint(const JointSimulator& joint, const std::vector<EffectSetting>& causes,
+                        const JointNoise& noise, int runs, const std::vector<Split>& splits);
+
+/// Mean and squared deviations of some runs of one signal.
+struct RunSpread {
+  Eigen::VectorXd mean;
+  Eigen::VectorXd variance;  // of one run, unbiased; 0 with a single run
+};
+RunSpread spreadOf(const std::vector<Eigen::MatrixXd>& runs, Eigen::Index signal);
+
+}  // namespace nao::validation

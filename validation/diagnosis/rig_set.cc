@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/check.h"
+#include "validation/diagnosis/merge_effects.h"
+#include "validation/diagnosis/rig_simulator.h"
+#include "validation/suspended.h"
+
+namespace nao::validation {
+
+RigSet::RigSet(const LogSet& set, std::shared_ptr<const RobotModel> model, RigOptions options)
+    : model_(std::make_shared<RobotModel>(*model)), options_(options) {
+  if (!model_->fixed_base) {
+    if (!set.environment.suspended) {
+      throw InputError(set.name + ": expected a suspended robot, found one on its feet");
+    }
+    *model_ = suspend(*model_);
+  }
+  *model_ = stripped(*model_);
+  motions_ = griddedMotions(set, *model_);
+  if (motions_.empty()) throw InputError(set.name + ": expected at least one run");
+  choosePace(motions_.front().dt);
+  findJoints();
+  for (const GriddedMotion& motion : motions_) measured_.push_back(meanOf(motion));
+  for (std::size_t m = 0; m < motions_.size(); ++m) loads_.push_back(loadOf(m));
+}
+
+const sim::EffectCatalogue& RigSet::catalogue() const {
+  return options_.catalogue ? *options_.catalogue : sim::standardEffects();
+}
+
+void RigSet::choosePace(double dt) {
+  constexpr double kValue = 1e-3;  // [s] between values of the loads, about
+  const auto parts = [](double whole, double most) { return std::ceil(whole / most - 1e-6); };
+  per_row_ = std::max(1, static_cast<int>(std::lround(dt / kValue)));
+  const double value = dt / per_row_;
+  const double world = parts(value, options_.world_step), rig = parts(value, options_.step);
+  const Duration tick = fromSeconds(value / (world * rig));
+  world_step_ = tick * std::lround(rig);
+  rig_step_ = tick * std::lround(world);
+  model_->cycle = per_row_ * std::lround(world) * world_step_;
+}
+
+void RigSet::findJoints() {
+  for (std::size_t j = 0; j < model_->jointCount(); ++j) {
+    const Joint joint = toJoint(j);
+    const auto whole = [joint](const GriddedMotion::Run& run) {
+      return run.command.count(joint) > 0 && run.angle.count(joint) > 0;
+    };
+    const bool all = std::all_of(motions_.begin(), motions_.end(), [&](const GriddedMotion& m) {
+      return std::all_of(m.runs.begin(), m.runs.end(), whole);
+    });
+    if (all && !model_->actuators[j].coordinates.empty()) joints_.push_back(joint);
+  }
+}
+
+MeasuredMotion RigSet::meanOf(const GriddedMotion& motion) const {
+  const auto rows = static_cast<Eigen::Index>(motion.rows);
+  const auto joints = static_cast<Eigen::Index>(model_->jointCount());
+  MeasuredMotion mean{motion.dt, Eigen::MatrixXd::Zero(rows, joints),
+                      Eigen::VectorXd::Zero(joints)};
+  const std::string& named = motion.start_pose.empty() ? model_->start_posture : motion.start_pose;
+  const Posture* posture = model_->findPosture(named);
+  for (Eigen::Index j = 0; j < joints; ++j) {
+    const Joint joint = toJoint(static_cast<std::size_t>(j));
+    if (posture != nullptr) mean.angle.col(j).setConstant(posture->angle[joint]);
+    std::vector<Eigen::VectorXd> runs;
+    for (const GriddedMotion::Run& run : motion.runs) {
+      const auto at = run.angle.find(joint);
+      if (at != run.angle.end()) {
+        runs.push_back(Eigen::Map<const Eigen::VectorXd>(at->second.data(), rows));
+      }
+    }
+    if (runs.empty()) continue;
+    const auto count = static_cast<double>(runs.size());
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(rows);
+    for (const Eigen::VectorXd& run : runs) sum += run;
+    mean.angle.col(j) = sum / count;
+    if (runs.size() < 2) continue;
+    double squares = 0;
+    for (const Eigen::VectorXd& run : runs) squares += (run - sum / count).squaredNorm();
+    mean.angle_sd[j] = std::sqrt(squares / ((count - 1) * static_cast<double>(rows)) / count);
+  }
+  return mean;
+}
+
+WholeLoad RigSet::loadOf(std::size_t motion) const {
+  const GriddedMotion& played = motions_[motion];
+  RobotModel model = *model_;
+  for (Actuator& actuator : model.actuators) actuator.kp *= played.kp_scale;
+  const GriddedMotion::Run& run = played.runs.front();
+  std::vector<JointCommand> orders;
+  for (std::size_t k = 0; k < played.rows; ++k) {
+    JointCommand order{JointArray<double>(model.jointCount()),
+                       JointArray<double>(model.jointCount(), 1.0)};
+    for (std::size_t j = 0; j < model.jointCount(); ++j) {
+      const auto command = run.command.find(toJoint(j));
+      const auto stiffness = run.stiffness.find(toJoint(j));
+      order.angle[j] = command != run.command.end()
+                           ? command->second[k]
+                           : measured_[motion].angle(0, static_cast<Eigen::Index>(j));
+      if (stiffness != run.stiffness.end()) order.stiffness[j] = stiffness->second[k];
+    }
+    orders.push_back(order);
+  }
+  WholeLoadOptions options;
+  options.settle = options_.settle;
+  options.step = world_step_;
+  options.per_row = per_row_;
+  options.bandwidth = options_.bandwidth;
+  options.noise = options_.noise;
+  options.runs = options_.noise.empty() ? 1 : options_.whole_runs;
+  return calcWholeLoad(model, effectsWith({}, played), orders, measured_[motion], options,
+                       catalogue());
+}
+
+std::vector<EffectSetting> RigSet::effectsWith(const std::vector<EffectSetting>& causes,
+                                               const GriddedMotion& motion) const {
+  std::vector<EffectSetting> effects = mergedEffects(*model_, causes, catalogue());
+  if (!motion.load) return effects;
+  const std::optional<int> link = model_->findBody(motion.load->link);
+  if (!link || *link == 0) return effects;
+  const Vec3& p = motion.load->p_BoBcm_B;
+  const Joint joint = model_->coordinates[static_cast<std::size_t>(*link) - 1].joint;
+  effects.push_back({"payload",
+                     {{"mass", motion.load->mass}, {"x", p.x()}, {"y", p.y()}, {"z", p.z()}},
+                     {joint},
+                     ""});
+  return effects;
+}
+
+}  // namespace nao::validation

@@ -1,0 +1,191 @@
+#include "validation/diagnosis/rig_simulator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "core/check.h"
+#include "core/memo.h"
+#include "core/random.h"
+#include "validation/diagnosis/merge_effects.h"
+
+namespace nao::validation {
+namespace {
+
+// Lists of causes with changed masses, times motions, that are remembered; a load of 600 rows
+// takes 20 kB.
+constexpr std::size_t kRemembered = 256;
+
+std::string keyOf(std::size_t motion, const std::vector<EffectSetting>& effects) {
+  std::ostringstream key;
+  key.precision(17);
+  key << motion;
+  for (const EffectSetting& effect : effects) {
+    key << '|' << effect.name;
+    for (const auto& [name, value] : effect.parameters) key << ' ' << name << '=' << value;
+    for (const Joint joint : effect.joints) key << ' ' << index(joint);
+  }
+  return key.str();
+}
+
+std::vector<double> meanOf(const GriddedMotion& motion,
+                           std::map<Joint, std::vector<double>> GriddedMotion::Run::*signal,
+                           Joint joint) {
+  std::vector<double> sum(motion.rows, 0.0);
+  for (const GriddedMotion::Run& run : motion.runs) {
+    const std::vector<double>& values = (run.*signal).at(joint);
+    for (std::size_t k = 0; k < motion.rows; ++k) sum[k] += values[k];
+  }
+  for (double& value : sum) value /= static_cast<double>(motion.runs.size());
+  return sum;
+}
+
+// A number of its own for each stream of each motion.
+std::uint64_t mixed(std::uint64_t stream, std::size_t motion) {
+  return stream * 0x9e3779b97f4a7c15ULL + motion + 1;
+}
+
+RobotModel withGain(const RobotModel& model, Joint joint, double kp_scale) {
+  RobotModel scaled = model;
+  scaled.actuators[index(joint)].kp *= kp_scale;
+  return scaled;
+}
+
+}  // namespace
+
+/// The loads of one joint, by what changes them.
+class RigSimulator::Loads {
+ public:
+  Loads(const RigSet& set, Joint joint) : set_(set), joint_(joint), memo_(kRemembered) {
+    for (const CoupledLimit& limit : set.model().coupled_limits) {
+      if (limit.limited == joint) others_.push_back(limit.driver);
+    }
+  }
+
+  std::vector<std::string> others() const {
+    std::vector<std::string> names;
+    for (const Joint other : others_) {
+      names.push_back(set_.model().actuators[index(other)].name);
+    }
+    return names;
+  }
+
+  std::shared_ptr<const sim::JointLoad> get(std::size_t motion,
+                                            const std::vector<EffectSetting>& effects) {
+    const std::vector<EffectSetting> changing = changingLoads(effects);
+    return memo_.get(keyOf(motion, changing), [&] { return calc(motion, changing); });
+  }
+
+ private:
+  std::vector<EffectSetting> changingLoads(const std::vector<EffectSetting>& effects) const {
+    std::vector<EffectSetting> changing;
+    for (const EffectSetting& effect : effects) {
+      const sim::EffectType* type = set_.catalogue().find(effect.name);
+      const bool moves = effect.name == "joint_zero" || effect.name == "encoder_offset" ||
+                         effect.name == "sensor_delay";
+      if (type && (moves || reachOf(*type) == sim::JointReach::Load)) changing.push_back(effect);
+    }
+    return changing;
+  }
+
+  // The nominal load, and what the causes change in the one that comes from the rows alone.
+  sim::JointLoad calc(std::size_t motion, const std::vector<EffectSetting>& changing) const {
+    sim::JointLoad load = set_.load(motion).of(joint_);
+    for (const Joint other : others_) {
+      load.others[set_.model().actuators[index(other)].name] = set_.load(motion).angleOf(other);
+    }
+    const auto own = changingLoads(set_.effectsWith({}, set_.motions()[motion]));
+    if (keyOf(motion, own) == keyOf(motion, changing)) return load;
+    const sim::JointLoad before = smooth(motion, own), after = smooth(motion, changing);
+    for (auto field : {&sim::JointLoad::inertia, &sim::JointLoad::torque,
+                       &sim::JointLoad::reference, &sim::JointLoad::slope}) {
+      std::vector<double> change = after.*field;
+      for (std::size_t k = 0; k < change.size(); ++k) change[k] -= (before.*field)[k];
+      const Eigen::VectorXd fine = spreadOut(change, load.per_row);
+      for (std::size_t i = 0; i < (load.*field).size(); ++i) {
+        (load.*field)[i] += fine[static_cast<Eigen::Index>(i)];
+      }
+    }
+    return load;
+  }
+
+  sim::JointLoad smooth(std::size_t motion, const std::vector<EffectSetting>& effects) const {
+    return calcLoadTorque(set_.model(), effects, set_.measured(motion), joint_,
+                          set_.options().bandwidth, set_.catalogue())
+        .load;
+  }
+
+  const RigSet& set_;
+  Joint joint_;
+  std::vector<Joint> others_;  // that limit this one
+  Memo<sim::JointLoad> memo_;
+};
+
+RigSimulator::RigSimulator(std::shared_ptr<const RigSet> set, Joint joint)
+    : set_(std::move(set)), joint_(joint), loads_(std::make_unique<Loads>(*set_, joint)) {
+  for (const GriddedMotion& motion : set_->motions()) {
+    measured_.push_back(measuredOf(motion));
+    rigs_.emplace_back(withGain(set_->model(), joint, motion.kp_scale), joint, set_->row(),
+                       set_->rigStep(), loads_->others());
+    orders_.push_back({motion.runs.front().command.at(joint),
+                       meanOf(motion, &GriddedMotion::Run::stiffness, joint)});
+  }
+}
+
+RigSimulator::~RigSimulator() = default;
+
+std::string RigSimulator::joint() const { return set_->model().actuators[index(joint_)].name; }
+
+JointMotion RigSimulator::measuredOf(const GriddedMotion& motion) const {
+  JointMotion found{motion.motion, motion.split, motion.dt, {}};
+  const auto rows = static_cast<Eigen::Index>(motion.rows);
+  const bool current =
+      std::all_of(motion.runs.begin(), motion.runs.end(),
+                  [&](const GriddedMotion::Run& run) { return run.current.count(joint_) > 0; });
+  for (const GriddedMotion::Run& run : motion.runs) {
+    if (run.command.count(joint_) == 0 || run.angle.count(joint_) == 0) {
+      throw InputError(motion.motion + ": expected command and angle of " + joint() +
+                       " in every run");
+    }
+    Eigen::MatrixXd signals(rows, current ? 2 : 1);
+    signals.col(0) = Eigen::Map<const Eigen::VectorXd>(run.angle.at(joint_).data(), rows);
+    if (current) {
+      signals.col(1) = Eigen::Map<const Eigen::VectorXd>(run.current.at(joint_).data(), rows);
+    }
+    found.repeats.push_back(std::move(signals));
+  }
+  return found;
+}
+
+Eigen::MatrixXd RigSimulator::run(const std::vector<EffectSetting>& causes, std::size_t motion,
+                                  std::uint64_t stream, const JointNoise& noise) const {
+  const std::vector<EffectSetting> effects = set_->effectsWith(causes, set_->motions()[motion]);
+  const auto load = loads_->get(motion, effects);
+  sim::RigChance chance;
+  chance.stream = mixed(stream, motion);
+  chance.torque_sd = noise.torque_sd;
+  if (noise.torque_time > 0) chance.torque_time = noise.torque_time;
+  const double most = 0.9 * set_->options().settle;
+  const double early = (toSeconds(set_->rigStep()) - set_->options().world_step) / 2;
+  chance.start =
+      std::clamp(noise.start_sd * Random(chance.stream, "start").normal() - early, -most, most);
+  const sim::JointSignals signals =
+      rigs_[motion].run(effects, orders_[motion], *load, chance,
+                        fromSeconds(set_->options().settle), set_->catalogue());
+  const auto rows = static_cast<Eigen::Index>(signals.angle.size());
+  Eigen::MatrixXd result(rows, measured_[motion].repeats.front().cols());
+  result.col(0) = Eigen::Map<const Eigen::VectorXd>(signals.angle.data(), rows);
+  if (noise.quantum > 0) {
+    result.col(0) = noise.quantum * (result.col(0) / noise.quantum).array().round();
+  }
+  if (result.cols() > 1) {
+    result.col(1) = Eigen::Map<const Eigen::VectorXd>(signals.current.data(), rows);
+  }
+  return result;
+}
+
+double RigSimulator::present(const std::string& effect, const std::string& parameter) const {
+  return presentDeviation(set_->model(), index(joint_), effect, parameter, set_->catalogue());
+}
+
+}  // namespace nao::validation

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "validation/diagnosis/grid.h"
+#include "validation/diagnosis/joint_simulator.h"
+#include "validation/diagnosis/whole_load.h"
+
+namespace nao::validation {
+
+/// How joints are simulated alone.
+struct RigOptions {
+  double step = 2.5e-4;  // [s] at most, of a rig: a run of 6 s then costs 1.5 ms of processor
+  /// [s] of the Worlds whose motions the rigs are compared with. Their implicit steps answer an
+  /// order half a step late; a rig's orders come earlier by half of what its own step is longer.
+  double world_step = 2.5e-4;
+  double settle = 0.5;  // [s] of rest in the first pose before a run
+  double bandwidth = kLoadBandwidth;
+  /// The noise of all joints and the number of runs of the whole robot that their loads come from.
+  std::vector<EffectSetting> noise;
+  int whole_runs = 8;
+  const sim::EffectCatalogue* catalogue = nullptr;  // null: standardEffects()
+};
+
+/// The motions of a set of a robot with its base held, and what all its joints did in them: shared
+/// by the simulators of its joints.
+class RigSet {
+ public:
+  /// `model` is the nominal one; it is suspended here if the set says that the robot was.
+  /// @throws InputError for a set that does not fit the model, or of a robot that stood on its
+  /// feet.
+  RigSet(const LogSet& set, std::shared_ptr<const RobotModel> model, RigOptions options = {});
+
+  const RobotModel& model() const { return *model_; }
+  const RigOptions& options() const { return options_; }
+  const sim::EffectCatalogue& catalogue() const;
+  const std::vector<GriddedMotion>& motions() const { return motions_; }
+  /// Joints of the set that were commanded and measured in every run.
+  const std::vector<Joint>& joints() const { return joints_; }
+  /// Mean of the repeats of a motion, all joints; those not measured hold their start posture.
+  const MeasuredMotion& measured(std::size_t motion) const { return measured_[motion]; }
+  /// The loads of all joints in a motion, with the model's own effects.
+  const WholeLoad& load(std::size_t motion) const { return loads_[motion]; }
+  /// The effects of the model with `causes` on top, and the load that was tied on for this motion.
+  std::vector<EffectSetting> effectsWith(const std::vector<EffectSetting>& causes,
+                                         const GriddedMotion& motion) const;
+  /// The time between rows, of whole rig steps, whole World steps and whole values of the loads.
+  Duration row() const { return model_->cycle; }
+  Duration rigStep() const { return rig_step_; }
+
+ private:
+  void choosePace(double dt);
+  void findJoints();
+  MeasuredMotion meanOf(const GriddedMotion& motion) const;
+  WholeLoad loadOf(std::size_t motion) const;
+
+  std::shared_ptr<RobotModel> model_;  // its cycle is a row
+  RigOptions options_;
+  int per_row_ = 1;
+  Duration world_step_{}, rig_step_{};
+  std::vector<GriddedMotion> motions_;
+  std::vector<MeasuredMotion> measured_;
+  std::vector<WholeLoad> loads_;
+  std::vector<Joint> joints_;
+};
+
+/// One joint of a set on a rig: the joint level's simulator. Masses, gravity and tilt are causes
+/// too: loads are then calculated anew, once per list of causes.
+class RigSimulator final : public JointSimulator {
+ public:
+  RigSimulator(std::shared_ptr<const RigSet> set, Joint joint);
+  ~RigSimulator() override;
+
+  std::string joint() const override;
+  const std::vector<JointMotion>& measured() const override { return measured_; }
+  Eigen::MatrixXd run(const std::vector<EffectSetting>& causes, std::size_t motion,
+                      std::uint64_t stream, const JointNoise& noise) const override;
+  double present(const std::string& effect, const std::string& parameter) const override;
+
+ private:
+  class Loads;
+  JointMotion measuredOf(const GriddedMotion& motion) const;
+
+  std::shared_ptr<const RigSet> set_;
+  Joint joint_;
+  std::vector<JointMotion> measured_;
+  std::vector<sim::JointRig> rigs_;       // by motion
+  std::vector<sim::JointOrders> orders_;  // by motion
+  std::unique_ptr<Loads> loads_;
+};
+
+}  // namespace nao::validation

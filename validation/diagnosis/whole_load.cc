@@ -1,0 +1,140 @@
+#include "validation/diagnosis/whole_load.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/check.h"
+#include "sim/hinge_run.h"
+#include "validation/diagnosis/inverse_dynamics.h"
+#include "validation/diagnosis/smooth_motion.h"
+
+namespace nao::validation {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+std::vector<double> listOf(const VectorXd& column) {
+  return {column.data(), column.data() + column.size()};
+}
+
+// Adds to the simulated motion what was measured beside it.
+void correct(const RobotModel& model, const MeasuredMotion& measured,
+             const std::vector<double>& delays, const WholeLoadOptions& options,
+             sim::HingeMotion& motion, MatrixXd& acceleration) {
+  for (Index j = 0; j < measured.angle.cols(); ++j) {
+    const std::vector<int>& hinges = model.actuators[static_cast<std::size_t>(j)].coordinates;
+    if (hinges.empty()) continue;
+    const VectorXd beside = measured.angle.col(j) - motion.reported.col(j);
+    const SmoothMotion smooth = smoothed(listOf(beside), measured.dt, options.bandwidth,
+                                         delays[static_cast<std::size_t>(j)]);
+    for (const int c : hinges) {
+      motion.q.col(c) += spreadOut(smooth.angle, options.per_row);
+      motion.u.col(c) += spreadOut(smooth.rate, options.per_row);
+      acceleration.col(c) += spreadOut(smooth.acceleration, options.per_row);
+    }
+  }
+}
+
+sim::HingeMotion meanMotion(const RobotModel& model, std::vector<EffectSetting> effects,
+                            const std::vector<JointCommand>& orders,
+                            const WholeLoadOptions& options,
+                            const sim::EffectCatalogue& catalogue) {
+  effects.insert(effects.end(), options.noise.begin(), options.noise.end());
+  sim::HingeMotion mean;
+  for (int run = 1; run <= options.runs; ++run) {
+    const sim::HingeMotion one =
+        sim::runHinges(model, effects, orders, options.settle, options.step, options.per_row,
+                       static_cast<std::uint64_t>(run), catalogue);
+    if (run == 1) {
+      mean = one;
+      continue;
+    }
+    mean.q += one.q;
+    mean.u += one.u;
+    mean.reported += one.reported;
+  }
+  mean.q /= options.runs;
+  mean.u /= options.runs;
+  mean.reported /= options.runs;
+  return mean;
+}
+
+MatrixXd accelerationsOf(const sim::HingeMotion& motion) {
+  MatrixXd acceleration = MatrixXd::Zero(motion.u.rows(), motion.u.cols());
+  for (Index i = 1; i + 1 < motion.u.rows(); ++i) {
+    acceleration.row(i) = (motion.u.row(i + 1) - motion.u.row(i - 1)) / (2 * motion.dt);
+  }
+  return acceleration;
+}
+
+}  // namespace
+
+VectorXd spreadOut(const std::vector<double>& rows, int per_row) {
+  const auto last = static_cast<Index>(rows.size()) - 1;
+  VectorXd values(last * per_row + 1);
+  for (Index i = 0; i < values.size(); ++i) {
+    const Index k = std::min(i / per_row, std::max<Index>(0, last - 1));
+    const double part = static_cast<double>(i - k * per_row) / per_row;
+    const double next = rows[static_cast<std::size_t>(std::min(k + 1, last))];
+    const double here = rows[static_cast<std::size_t>(k)];
+    values[i] = here + part * (next - here);
+  }
+  return values;
+}
+
+sim::JointLoad WholeLoad::of(Joint joint) const {
+  const auto j = static_cast<Index>(index(joint));
+  sim::JointLoad load;
+  load.per_row = per_row;
+  load.torque = listOf(torque.col(j));
+  load.inertia = listOf(inertia.col(j));
+  load.reference = listOf(angle.col(j));
+  load.slope = listOf(slope.col(j));
+  return load;
+}
+
+std::vector<double> WholeLoad::angleOf(Joint joint) const {
+  return listOf(angle.col(static_cast<Index>(index(joint))));
+}
+
+WholeLoad calcWholeLoad(const RobotModel& model, const std::vector<EffectSetting>& effects,
+                        const std::vector<JointCommand>& orders, const MeasuredMotion& measured,
+                        const WholeLoadOptions& options, const sim::EffectCatalogue& catalogue) {
+  sim::HingeMotion motion = meanMotion(model, effects, orders, options, catalogue);
+  MatrixXd acceleration = accelerationsOf(motion);
+  correct(model, measured, reportDelays(model, effects, catalogue), options, motion, acceleration);
+  const sim::BodyPlan plan = planOf(model, effects, catalogue);
+  InverseDynamics dynamics(plan);
+  const auto joints = static_cast<Index>(model.jointCount());
+  const Index values = motion.q.rows();
+  WholeLoad whole{options.per_row, MatrixXd::Zero(values, joints), MatrixXd::Zero(values, joints),
+                  MatrixXd::Zero(values, joints), MatrixXd::Zero(values, joints)};
+  MatrixXd slope_rows = MatrixXd::Zero((values - 1) / options.per_row + 1, joints);
+  for (Index i = 0; i < values; ++i) {
+    const VectorXd q = motion.q.row(i), u = motion.u.row(i), a = acceleration.row(i);
+    dynamics.move(q, u);
+    const VectorXd torque = dynamics.torque(a);
+    for (Index j = 0; j < joints; ++j) {
+      const Joint joint = toJoint(static_cast<std::size_t>(j));
+      const std::vector<int>& hinges = model.actuators[index(joint)].coordinates;
+      if (hinges.empty()) continue;
+      whole.inertia(i, j) = dynamics.inertia(joint);
+      whole.torque(i, j) = dynamics.share(joint, torque) - whole.inertia(i, j) * a[hinges[0]];
+      whole.angle(i, j) = q[hinges[0]];
+    }
+    if (i % options.per_row != 0) continue;
+    for (Index j = 0; j < joints; ++j) {
+      const Joint joint = toJoint(static_cast<std::size_t>(j));
+      if (model.actuators[index(joint)].coordinates.empty()) continue;
+      slope_rows(i / options.per_row, j) = dynamics.slope(joint, q, u);
+    }
+  }
+  for (Index j = 0; j < joints; ++j) {
+    whole.slope.col(j) = spreadOut(listOf(slope_rows.col(j)), options.per_row);
+  }
+  return whole;
+}
+
+}  // namespace nao::validation
