@@ -21,11 +21,18 @@ Ensemble::Ensemble(const JointSimulator& joint, const JointData& data, const Joi
                    long granted)
     : joint_(joint), data_(data), noise_(noise), granted_(granted) {}
 
+std::vector<EffectSetting> Ensemble::withGiven(const std::vector<EffectSetting>& causes) const {
+  std::vector<EffectSetting> all = given_;
+  all.insert(all.end(), causes.begin(), causes.end());
+  return all;
+}
+
 Eigen::VectorXd Ensemble::mean(const std::vector<EffectSetting>& causes, int runs, StreamUse use,
                                int first) {
+  const std::vector<EffectSetting> all = withGiven(causes);
   std::vector<Eigen::MatrixXd> means;
   for (const MotionSpan& span : data_.spans()) {
-    means.push_back(meanRun(joint_, causes, span.motion, noise_, use, first, runs));
+    means.push_back(meanRun(joint_, all, span.motion, noise_, use, first, runs));
     used_ += runs;
   }
   return data_.stack(means);
@@ -33,10 +40,11 @@ Eigen::VectorXd Ensemble::mean(const std::vector<EffectSetting>& causes, int run
 
 Eigen::VectorXd Ensemble::measuredAgain(const std::vector<EffectSetting>& causes, StreamUse use,
                                         int set) {
+  const std::vector<EffectSetting> all = withGiven(causes);
   std::vector<Eigen::MatrixXd> means;
   for (const MotionSpan& span : data_.spans()) {
     means.push_back(
-        meanRun(joint_, causes, span.motion, noise_, use, set * span.repeats, span.repeats));
+        meanRun(joint_, all, span.motion, noise_, use, set * span.repeats, span.repeats));
     used_ += span.repeats;
   }
   return data_.stack(means);

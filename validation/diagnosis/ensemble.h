@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -36,14 +37,22 @@ class Ensemble {
   /// measured again would show.
   Eigen::VectorXd measuredAgain(const std::vector<EffectSetting>& causes, StreamUse use, int set);
 
+  /// Causes that every model has from now on, such as what all joints share.
+  void setGiven(std::vector<EffectSetting> given) { given_ = std::move(given); }
+
   const JointNoise& noise() const { return noise_; }
   long used() const { return used_; }
+  /// Runs may be granted again.
+  void grant(long runs) { granted_ += runs; }
   bool spent() const { return used_ >= granted_; }
 
  private:
+  std::vector<EffectSetting> withGiven(const std::vector<EffectSetting>& causes) const;
+
   const JointSimulator& joint_;
   const JointData& data_;
   JointNoise noise_;
+  std::vector<EffectSetting> given_;
   long granted_, used_ = 0;
 };
 

@@ -1,7 +1,6 @@
 // The part of JointSearch that puts what was found into words and numbers.
 #include <Eigen/QR>
 #include <algorithm>
-#include <cstdio>
 
 #include "validation/diagnosis/joint_search.h"
 
@@ -9,20 +8,6 @@ namespace nao::validation {
 namespace {
 
 constexpr double kLow = 0.05, kHigh = 0.95;  // of a 90 % interval
-
-std::string shown(double value, const std::string& unit) {
-  char text[64];
-  if (unit == "rad") {
-    std::snprintf(text, sizeof text, "%.3g deg", value * 180 / M_PI);
-  } else if (unit == "s") {
-    std::snprintf(text, sizeof text, "%.3g ms", value * 1000);
-  } else if (unit.empty()) {
-    std::snprintf(text, sizeof text, "%+.1f %%", value * 100);
-  } else {
-    std::snprintf(text, sizeof text, "%.3g %s", value, unit.c_str());
-  }
-  return text;
-}
 
 std::vector<FoundNumber> numbersOf(const Cause& cause, const std::vector<double>& x) {
   std::vector<FoundNumber> numbers;
@@ -81,8 +66,7 @@ void JointSearch::describe(JointVerdict& verdict) {
       const Cause& other = causes_[rival.cause];
       finding.rivals.push_back({other.id, numbersOf(other, rival.x), chosen.gain - rival.gain});
     }
-    finding.sentence =
-        cause.fill(verdict.joint, shown(finding.numbers[0].value, finding.numbers[0].unit));
+    finding.sentence = cause.fill(verdict.joint, valueText(finding.numbers[0]));
     finding.experiment = cause.separate;
     verdict.findings.push_back(std::move(finding));
   }

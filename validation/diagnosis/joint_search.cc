@@ -50,9 +50,21 @@ void JointSearch::begin() {
   split_ratio_ = splitRatio();
 }
 
+void JointSearch::give(std::size_t cause, double x) {
+  ensemble_.setGiven({settingOf(causes_[cause], {x})});
+  given_ = {cause};
+  enter(stageOf({}, Eigen::MatrixXd(data_.size(), 0)));
+}
+
+double JointSearch::costOf(std::size_t cause, double x) {
+  const Eigen::VectorXd base = ensemble_.mean({}, effort_.final_runs);
+  const Eigen::VectorXd mean = ensemble_.mean({settingOf(causes_[cause], {x})}, effort_.final_runs);
+  return half(stage_->white(stage_->raw() - (mean - base))) - half(stage_->white(stage_->raw()));
+}
+
 std::unique_ptr<Stage> JointSearch::stageOf(const CauseList& model,
                                             const Eigen::MatrixXd& jacobian) {
-  return std::make_unique<Stage>(ensemble_, data_, causes_, model, jacobian, effort_);
+  return std::make_unique<Stage>(ensemble_, data_, causes_, model, jacobian, effort_, given_);
 }
 
 void JointSearch::enter(std::unique_ptr<Stage> stage) {

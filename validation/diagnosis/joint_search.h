@@ -25,6 +25,11 @@ class JointSearch {
               const Effort& effort, long granted_runs);
 
   void begin();
+  /// Takes a cause for given, with this number, and looks anew: what all joints share.
+  void give(std::size_t cause, double x);
+  /// Half the squares of the fit motions' residual with this number given, less that without: what
+  /// one number for all joints would cost or save here [nats]. By ensembles of final_runs.
+  double costOf(std::size_t cause, double x);
   const NullRecord& nulls() const { return nulls_; }
 
   /// `others`: the largest of all other joints, by null set.
@@ -78,6 +83,7 @@ class JointSearch {
   std::unique_ptr<Stage> stage_;
   ModelFit fit_;  // of the model, where it is not empty
   NullRecord nulls_, others_;
+  std::vector<std::size_t> given_;
   double misfit_before_ = 0, split_ratio_ = 0;
   std::vector<Accepted> accepted_;  // in the order of the model
   std::vector<Rejected> rejected_;

@@ -49,11 +49,13 @@ std::vector<EffectSetting> settingsOf(const std::vector<Cause>& causes, const Ca
 }
 
 Stage::Stage(Ensemble& ensemble, const JointData& data, const std::vector<Cause>& causes,
-             CauseList model, const Eigen::MatrixXd& jacobian, const Effort& effort)
+             CauseList model, const Eigen::MatrixXd& jacobian, const Effort& effort,
+             const std::vector<std::size_t>& given)
     : data_(data),
       causes_(causes),
       ensemble_(ensemble),
       model_(std::move(model)),
+      given_(given),
       jacobian_(jacobian),
       effort_(effort) {
   const auto settings = settingsOf(causes, model_);
@@ -83,7 +85,8 @@ Stage::Stage(Ensemble& ensemble, const JointData& data, const std::vector<Cause>
 
 void Stage::look(Ensemble& ensemble, const Effort& effort) {
   for (std::size_t c = 0; c < causes_.size(); ++c) {
-    const bool taken = std::any_of(model_.begin(), model_.end(),
+    const bool taken = std::find(given_.begin(), given_.end(), c) != given_.end() ||
+                       std::any_of(model_.begin(), model_.end(),
                                    [&](const Chosen& one) { return one.cause == c; });
     if (taken) continue;
     for (const std::vector<double>& x : startsOf(causes_[c])) lookAt(ensemble, c, x, effort);

@@ -45,9 +45,11 @@ struct Look {
 /// is not part of the model, and what the residual would be if the model were right.
 class Stage {
  public:
-  /// `jacobian`: the change of the prediction per number of the model, column by column.
+  /// `jacobian`: the change of the prediction per number of the model, column by column. `given`:
+  /// causes that the ensemble has anyway.
   Stage(Ensemble& ensemble, const JointData& data, const std::vector<Cause>& causes,
-        CauseList model, const Eigen::MatrixXd& jacobian, const Effort& effort);
+        CauseList model, const Eigen::MatrixXd& jacobian, const Effort& effort,
+        const std::vector<std::size_t>& given = {});
 
   /// Residuals of data sets measured again at this model, undeclared differences included.
   void simulateNulls(const std::string& joint);
@@ -85,6 +87,7 @@ class Stage {
   const std::vector<Cause>& causes_;
   Ensemble& ensemble_;
   CauseList model_;
+  std::vector<std::size_t> given_;
   Eigen::MatrixXd jacobian_;
   Effort effort_;
   Eigen::VectorXd base_, look_base_, raw_;

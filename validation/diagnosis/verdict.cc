@@ -1,6 +1,8 @@
 #include "validation/diagnosis/verdict.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 
 namespace nao::validation {
 namespace {
@@ -26,6 +28,21 @@ int gravity(Verdict verdict) {
 }
 
 }  // namespace
+
+std::string valueText(const FoundNumber& number) {
+  char text[64];
+  const double value = number.value;
+  if (number.unit == "rad") {
+    std::snprintf(text, sizeof text, "%.3g deg", value * 180 / M_PI);
+  } else if (number.unit == "s") {
+    std::snprintf(text, sizeof text, "%.3g ms", value * 1000);
+  } else if (number.unit.empty()) {
+    std::snprintf(text, sizeof text, "%.3g", value);
+  } else {
+    std::snprintf(text, sizeof text, "%.3g %s", value, number.unit.c_str());
+  }
+  return text;
+}
 
 std::vector<const Finding*> JointVerdict::named() const {
   std::vector<const Finding*> found;

@@ -13,6 +13,9 @@ struct FoundNumber {
   double low = 0, high = 0;  // 90 % interval of the deviation
 };
 
+/// "12.3 ms", "0.4 deg": as the report writes it.
+std::string valueText(const FoundNumber& number);
+
 /// Another cause that explains the data about as well.
 struct Rival {
   std::string cause;

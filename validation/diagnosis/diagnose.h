@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "validation/diagnosis/joint_search.h"
+
+namespace nao::validation {
+
+/// A joint to be diagnosed: what predicts it, and its noise.
+struct JointTask {
+  const JointSimulator* joint = nullptr;
+  JointNoise noise;
+};
+
+struct DiagnosisOptions {
+  Effort effort;
+  int jobs = 1;                      // threads; the result is the same for any number
+  long runs_per_joint = 1000000000;  // granted
+  /// Called by this thread now and then: what is being done, and which part of it is done.
+  std::function<void(const std::string&, double)> progress;
+};
+
+/// One number that several joints share.
+struct SharedFinding {
+  Finding finding;  // its joint is "all joints"
+  int joints = 0;   // that it helps by more than the threshold
+};
+
+/// What a set of joints shows.
+struct SetDiagnosis {
+  Verdict verdict = Verdict::NoDiscrepancy;
+  std::vector<SharedFinding> shared;
+  std::vector<JointVerdict> joints;
+  double critical_gain = 0;  // [nats] 99 % quantile over null sets, all joints and causes
+  int null_sets = 0;
+  long runs = 0;
+};
+
+/// Diagnoses all joints of a set: causes of Scope::Robot are first tried as one number for all of
+/// them, then each joint is searched on its own. Thresholds are those of the whole set.
+SetDiagnosis diagnoseJoints(const std::vector<JointTask>& tasks, const std::vector<Cause>& causes,
+                            const DiagnosisOptions& options);
+
+}  // namespace nao::validation

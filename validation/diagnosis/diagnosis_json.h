@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "validation/diagnosis/diagnose.h"
+
+namespace nao::validation {
+
+/// Where a diagnosis came from, for whoever repeats it.
+struct Provenance {
+  std::string set, model, command;
+  std::string level = "joint";
+};
+
+/// report.json: verdicts, what was found and rejected and why, thresholds and runs.
+std::string toJson(const SetDiagnosis& diagnosis, const Provenance& provenance);
+/// The same for a person, the verdict first.
+std::string toText(const SetDiagnosis& diagnosis);
+
+}  // namespace nao::validation

@@ -1,0 +1,147 @@
+#include "validation/diagnosis/shared_cause.h"
+
+#include <algorithm>
+#include <cmath>
+#include <future>
+#include <map>
+
+namespace nao::validation {
+namespace {
+
+constexpr double kAsGood = 0.8;  // of what the joints' own causes explain by looks: both are rough
+constexpr int kTried = 3;        // shared causes that are fitted
+constexpr double kSame = 0.03;   // of the gain: rivals within it are not told apart
+
+using Searches = std::vector<std::unique_ptr<JointSearch>>;
+
+// The parabola of nats that a look is worth at a scale: along * s - square * s^2 / 2, all joints.
+struct SharedLook {
+  std::size_t cause = 0;
+  double x = 0;
+  double along = 0, square = 0, lower = -1e300, upper = 1e300;
+  int joints = 0;
+  double scale() const { return square > 0 ? std::clamp(along / square, lower, upper) : 0; }
+  double gain() const { return scale() * along - scale() * scale() * square / 2; }
+};
+
+std::vector<SharedLook> sharedLooks(const Searches& searches) {
+  std::map<std::pair<std::size_t, double>, SharedLook> sums;
+  for (const auto& search : searches) {
+    const Eigen::VectorXd white = search->stage().white(search->stage().raw());
+    for (const Look& look : search->stage().looks()) {
+      if (search->causes()[look.cause].scope != Scope::Robot || look.x.size() != 1) continue;
+      SharedLook& sum = sums[{look.cause, look.x[0]}];
+      sum.cause = look.cause;
+      sum.x = look.x[0];
+      sum.along += look.white.dot(white);
+      sum.square += look.white.squaredNorm();
+      sum.lower = std::max(sum.lower, look.lower);
+      sum.upper = std::min(sum.upper, look.upper);
+      ++sum.joints;
+    }
+  }
+  std::vector<SharedLook> looks;
+  for (const auto& [key, sum] : sums) {
+    if (sum.joints == static_cast<int>(searches.size()) && sum.lower <= sum.upper) {
+      looks.push_back(sum);
+    }
+  }
+  return looks;
+}
+
+// What each joint gains with this number [nats].
+std::vector<double> gainsAt(const Searches& searches, std::size_t cause, double x, int jobs) {
+  std::vector<double> gains(searches.size());
+  inParallel(searches.size(), jobs,
+             [&](std::size_t j) { gains[j] = -searches[j]->costOf(cause, x); });
+  return gains;
+}
+
+double sum(const std::vector<double>& values) {
+  double total = 0;
+  for (const double value : values) total += value;
+  return total;
+}
+
+// Narrows a bracket of three numbers around the best by parabolas.
+SharedCause fitShared(const Searches& searches, const SharedLook& look, double critical, int jobs) {
+  const FreeNumber& number = searches.front()->causes()[look.cause].free[0];
+  SharedCause best;
+  best.cause = look.cause;
+  std::map<double, std::vector<double>> tried;
+  const auto gainAt = [&](double x) {
+    x = std::clamp(x, number.lower, number.upper);
+    auto found = tried.find(x);
+    if (found == tried.end()) {
+      found = tried.emplace(x, gainsAt(searches, look.cause, x, jobs)).first;
+    }
+    return sum(found->second);
+  };
+  double centre = look.scale() * look.x, width = 0.3 * std::abs(centre);
+  for (int round = 0; round < 3 && width > 0; ++round, width *= 0.35) {
+    const double low = gainAt(centre - width), mid = gainAt(centre), high = gainAt(centre + width);
+    const double bend = low - 2 * mid + high;
+    const double move =
+        bend < 0 ? (low - high) / (2 * bend) * width : (high > low ? width : -width);
+    centre += std::clamp(move, -2 * width, 2 * width);
+  }
+  gainAt(centre);
+  for (const auto& [x, gains] : tried) {
+    if (sum(gains) <= best.gain) continue;
+    best.gain = sum(gains);
+    best.x = x;
+    best.joints = static_cast<int>(
+        std::count_if(gains.begin(), gains.end(), [&](double g) { return g > critical; }));
+  }
+  return best;
+}
+
+}  // namespace
+
+void inParallel(std::size_t count, int jobs, const std::function<void(std::size_t)>& work) {
+  const auto threads = static_cast<std::size_t>(std::max(1, jobs));
+  std::vector<std::future<void>> running;
+  for (std::size_t first = 1; first < threads && first < count; ++first) {
+    running.push_back(std::async(std::launch::async, [=, &work] {
+      for (std::size_t i = first; i < count; i += threads) work(i);
+    }));
+  }
+  for (std::size_t i = 0; i < count; i += threads) work(i);
+  for (auto& one : running) one.get();
+}
+
+std::optional<SharedCause> findShared(const Searches& searches, double critical, int jobs) {
+  if (searches.size() < 2) return std::nullopt;
+  double own = 0;
+  for (const auto& search : searches) {
+    const double best = search->stage().largestGain(search->stage().white(search->stage().raw()));
+    if (best > critical) own += best;
+  }
+  std::vector<SharedLook> looks = sharedLooks(searches);
+  std::stable_sort(looks.begin(), looks.end(),
+                   [](const SharedLook& a, const SharedLook& b) { return a.gain() > b.gain(); });
+  std::vector<SharedCause> fits;
+  for (const SharedLook& look : looks) {
+    if (look.gain() <= critical || look.gain() < kAsGood * own) break;
+    const bool tried = std::any_of(fits.begin(), fits.end(),
+                                   [&](const SharedCause& one) { return one.cause == look.cause; });
+    if (tried || static_cast<int>(fits.size()) >= kTried) continue;
+    fits.push_back(fitShared(searches, look, critical, jobs));
+  }
+  std::stable_sort(fits.begin(), fits.end(),
+                   [](const SharedCause& a, const SharedCause& b) { return a.gain > b.gain; });
+  const auto& causes = searches.front()->causes();
+  if (fits.empty() || fits.front().joints < 2 || fits.front().gain < kAsGood * own ||
+      std::abs(fits.front().x) < causes[fits.front().cause].free[0].smallest) {
+    return std::nullopt;
+  }
+  SharedCause best = fits.front();
+  for (std::size_t i = 1; i < fits.size(); ++i) {
+    if (fits[i].gain >= best.gain - std::max(critical, kSame * best.gain)) {
+      best.rivals.emplace_back(fits[i].cause, fits[i].x);
+    }
+  }
+  return best;
+}
+
+}  // namespace nao::validation
