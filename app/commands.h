@@ -14,5 +14,6 @@ void addDescribe(CLI::App& app);
 void addPlay(CLI::App& app);
 void addCheckData(CLI::App& app);
 void addConvert(CLI::App& app);
+void addRecord(CLI::App& app);
 
 }  // namespace nao::app

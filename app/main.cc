@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   nao::app::addPlay(app);
   nao::app::addCheckData(app);
   nao::app::addConvert(app);
+  nao::app::addRecord(app);
   try {
     app.parse(argc, argv);
     return 0;

@@ -78,13 +78,14 @@ double findStatedQuantum(const LogJoint& joint, const RobotModel* model) {
   return 0;
 }
 
-// Whether row i repeats the one before although the joint goes on, one way, on both sides of it.
-bool isRepeated(const Column& q, std::size_t i, double quantum, bool& moving) {
-  constexpr std::size_t kWindow = 4;  // rows looked at on either side
-  constexpr double kSpeed = 3;        // steps per row: too fast to read the same twice
-  const double least = kSpeed * static_cast<double>(kWindow) * std::max(quantum, 1e-6);
-  if (i < kWindow + 1 || i + kWindow >= q.size()) return false;
-  const double before = q[i - 1] - q[i - 1 - kWindow], after = q[i + kWindow] - q[i];
+// Whether row i repeats the one before although the joint goes on, one way, in the `window` rows on
+// both sides of it.
+bool isRepeated(const Column& q, std::size_t i, std::size_t window, double quantum, bool& moving) {
+  constexpr double kSpeed = 3;   // steps per row: too fast to read the same twice
+  constexpr double kFar = 0.02;  // [rad] 13 steps of a 12 bit encoder, where its step is not known
+  const double least = std::max(kSpeed * static_cast<double>(window) * quantum, kFar);
+  if (i < window + 1 || i + window >= q.size()) return false;
+  const double before = q[i - 1] - q[i - 1 - window], after = q[i + window] - q[i];
   moving = std::abs(before) >= least && std::abs(after) >= least && before * after > 0;
   return moving && q[i] == q[i - 1];
 }
@@ -145,6 +146,8 @@ void checkQuanta(const LogSet& set, const RobotModel* model, const Quanta& quant
 void checkDuplicates(const LogSet& set, const Quanta& quanta, FaultLog& log) {
   constexpr double kPart = 0.005;    // of the rows in motion; below, a chance meeting
   constexpr std::size_t kLeast = 3;  // rows
+  constexpr double kWindow = 0.04;   // [s] looked at on either side, and at least four rows
+  const auto window = std::max<std::size_t>(4, static_cast<std::size_t>(kWindow * set.rate + 0.5));
   for (const LogJoint& joint : set.joints) {
     const auto quantum = quanta.find(joint.name);
     std::size_t all = 0, repeated = 0, row = 0;
@@ -153,7 +156,7 @@ void checkDuplicates(const LogSet& set, const Quanta& quanta, FaultLog& log) {
       const Column* q = run.find("q." + joint.name);
       for (std::size_t i = 1; q != nullptr && i < q->size(); ++i) {
         bool moving = false;
-        const bool same = isRepeated(*q, i, quantum->second, moving);
+        const bool same = isRepeated(*q, i, window, quantum->second, moving);
         all += moving;
         repeated += same;
         if (same && file.empty()) file = run.file, row = rowOf(i);

@@ -7,7 +7,9 @@
 
 #include "core/random.h"
 #include "tests/support/models.h"
+#include "validation/log/simulated_recording.h"
 #include "validation/log/standard_motions.h"
+#include "validation/suspended.h"
 
 namespace nao::validation {
 namespace {
@@ -266,6 +268,47 @@ TEST_F(DataFaults, AreNotStopsNorPlayNorWeakJointsNorMirroredMotions) {
   }
   const std::vector<DataFault> faults = find();
   EXPECT_TRUE(faults.empty()) << faults.front().sentence;
+}
+
+// Such as those that are shaken by others.
+TEST_F(DataFaults, AreNotJointsThatHardlyMove) {
+  for (LogRun& run : set_.runs) {
+    Column& q = run.columns["q.HeadPitch"];
+    for (std::size_t i = 0; i < q.size(); ++i) {
+      q[i] = quantise(0.003 * std::sin(0.3 * static_cast<double>(i)), kQuantum);
+      run.columns["cmd.HeadPitch"][i] = 0;
+    }
+  }
+  const std::vector<DataFault> faults = find();
+  EXPECT_TRUE(faults.empty()) << faults.front().sentence;
+}
+
+TEST(SimulatedData, HaveNoFaults) {
+  RecordingPlan plan;
+  const auto model = test::robot("nao_h21_v33");
+  plan.model = std::make_shared<RobotModel>(stripped(suspend(*model)));
+  plan.motions = standardRecording(plan.model);
+  plan.repeats = 2;
+  plan.step = std::chrono::milliseconds(1);
+  plan.start_sd = 0.001;
+  plan.extra = {{"process_noise", {}, {}, ""}};
+  const std::vector<DataFault> found = findDataFaults(recordSimulated(plan), model.get());
+  EXPECT_FALSE(anyFault(found)) << found.back().sentence;
+}
+
+TEST(SimulatedData, TellDroppedReadings) {
+  RecordingPlan plan;
+  const auto model = test::robot("nao_h21_v33");
+  plan.model = std::make_shared<RobotModel>(stripped(suspend(*model)));
+  plan.motions = standardRecording(plan.model);
+  plan.repeats = 1;
+  plan.step = std::chrono::milliseconds(1);
+  plan.extra = {{"process_noise", {}, {}, ""}, {"dropped_samples", {}, {}, ""}};
+  const std::vector<DataFault> found = findDataFaults(recordSimulated(plan), model.get());
+  ASSERT_TRUE(anyFault(found));
+  for (const DataFault& fault : found) {
+    EXPECT_TRUE(fault.note || fault.kind == DataFaultKind::Duplicates) << fault.sentence;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,146 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/robot_recorder.h"
+#include "app/source_paths.h"
+#include "core/check.h"
+#include "naoqi_api/call_error.h"
+#include "validation/log/simulated_recording.h"
+#include "validation/log/standard_motions.h"
+#include "validation/suspended.h"
+
+namespace nao::app {
+namespace {
+
+struct Arguments {
+  std::string out;
+  std::string protocol = "standard";
+  std::string robot = "nao_h21_v33";
+  std::string robots_dir = "robots";
+  std::string host = "127.0.0.1";
+  std::uint16_t port = 9559;
+  bool simulate = false;
+  std::uint64_t seed = 1;
+  int repeats = validation::kStandardRepeats;
+  double seconds = 60;
+  double noise = 0.03;    // [N m]
+  double start = 0.001;   // [s]
+  double step = 0.00025;  // [s]
+  std::vector<std::string> joints;
+};
+
+validation::LogSet recordSimulation(const Arguments& arguments, const RobotModel& model) {
+  validation::RecordingPlan plan;
+  plan.name = "standard set of a simulated " + model.name;
+  plan.model = std::make_shared<RobotModel>(validation::suspend(model));
+  if (arguments.noise > 0) {
+    plan.extra = {{"process_noise", {{"sd", arguments.noise}}, {}, "--noise"}};
+  }
+  plan.motions = validation::standardRecording(plan.model);
+  plan.repeats = arguments.repeats;
+  plan.step = fromSeconds(arguments.step);
+  plan.seed = arguments.seed;
+  plan.start_sd = arguments.start;
+  plan.joints = arguments.joints;
+  plan.inertial_unit = true;
+  return validation::recordSimulated(plan);
+}
+
+validation::LogSet recordStandard(RobotRecorder& recorder, const Arguments& arguments) {
+  const auto& motions = validation::standardMotions();
+  validation::LogSet set = recorder.describe("standard set");
+  set.environment.suspended = true;
+  const std::size_t runs = motions.size() * static_cast<std::size_t>(arguments.repeats);
+  recorder.prepare();
+  for (std::size_t m = 0; m < motions.size(); ++m) {
+    for (int repeat = 0; repeat < arguments.repeats; ++repeat) {
+      std::fprintf(stderr, "run %zu of %zu: %s\n", set.runs.size() + 1, runs,
+                   motions[m].name.c_str());
+      set.runs.push_back(recorder.play(m, repeat));
+    }
+  }
+  return set;
+}
+
+validation::LogSet recordRobot(const Arguments& arguments,
+                               const std::shared_ptr<const RobotModel>& model) {
+  daemon::QiClient client(arguments.host, arguments.port);
+  RobotRecorder recorder(client, model, arguments.joints);
+  if (arguments.protocol == "standard") return recordStandard(recorder, arguments);
+  validation::LogSet set = recorder.describe("watched");
+  set.runs.push_back(recorder.watch(arguments.seconds));
+  return set;
+}
+
+void run(const Arguments& arguments) {
+  const auto model = loadRobotModel(findSourceFile(arguments.robots_dir), arguments.robot);
+  try {
+    const validation::LogSet set =
+        arguments.simulate ? recordSimulation(arguments, *model) : recordRobot(arguments, model);
+    validation::writeLogSet(set, arguments.out);
+    std::printf("%zu runs of %zu joints: %s\n", set.runs.size(), set.joints.size(),
+                arguments.out.c_str());
+  } catch (const rpc::CallError& error) {
+    throw InputError(arguments.host + ": the robot refused: " + error.what());
+  }
+}
+
+void addOptions(CLI::App& command, Arguments& arguments) {
+  command.add_option("out", arguments.out, "The set's folder; made if it is not there.")
+      ->required();
+  command
+      .add_option("--protocol", arguments.protocol,
+                  "standard: seven motions of every joint, six times 6 s each (20 minutes).\n"
+                  "Hang the robot up by its torso first, feet in the air, arms free.\n"
+                  "watch: what the robot does by itself, for --seconds.")
+      ->check(CLI::IsMember({"standard", "watch"}))
+      ->capture_default_str();
+  command.add_option("--robot", arguments.robot, "The nominal model, of the folder robots/.")
+      ->capture_default_str();
+  command.add_option("--robots-dir", arguments.robots_dir, "Where the robots' folders are.")
+      ->capture_default_str();
+  command.add_option("--host", arguments.host, "The robot, or the host of a daemon.")
+      ->capture_default_str();
+  command.add_option("--port", arguments.port, "Where its NaoQi listens.")->capture_default_str();
+  command
+      .add_option("--joints", arguments.joints,
+                  "The joints to move, or of a simulated robot: to write. Default: all.")
+      ->delimiter(',');
+  command.add_option("--repeats", arguments.repeats, "Runs of each motion.")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command.add_option("--seconds", arguments.seconds, "How long to watch.")
+      ->check(CLI::Range(0.1, 86400.0))
+      ->capture_default_str();
+}
+
+void addSimulationOptions(CLI::App& command, Arguments& arguments) {
+  command.add_flag("--simulate", arguments.simulate,
+                   "Records a simulated robot, hung up, without a daemon.");
+  command.add_option("--seed", arguments.seed, "Of all that differs between simulated runs.")
+      ->capture_default_str();
+  command.add_option("--noise", arguments.noise, "Random torque on every simulated joint [N m].")
+      ->check(CLI::Range(0.0, 5.0))
+      ->capture_default_str();
+  command.add_option("--start-jitter", arguments.start, "Of a simulated run's begin [s].")
+      ->check(CLI::Range(0.0, 0.1))
+      ->capture_default_str();
+  command.add_option("--step", arguments.step, "Length of a physics step [s].")
+      ->check(CLI::Range(1e-5, 0.005))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void addRecord(CLI::App& app) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand(
+      "record", "Records a set (docs/robot_log.md) from a robot or a simulation.");
+  addOptions(*command, *arguments);
+  addSimulationOptions(*command, *arguments);
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace nao::app
