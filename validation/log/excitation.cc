@@ -16,7 +16,7 @@ constexpr std::array<double, 32> kPrimes{2,  3,  5,  7,   11,  13,  17,  19,  23
                                          37, 41, 43, 47,  53,  59,  61,  67,  71,  73, 79,
                                          83, 89, 97, 101, 103, 107, 109, 113, 127, 131};
 // Of the top speed, a free choice: sines stay where the motor still has torque to follow.
-constexpr double kSineSpeed = 0.5;
+constexpr double kSineSpeed = 0.7;
 constexpr double kSmallStep = 0.06;  // [rad] raw: beyond what leg servos can pull at once
 constexpr double kStepSize = 0.8;    // of the half range
 constexpr std::size_t kSmallEvery = 3;
@@ -37,6 +37,14 @@ double calcAmplitude(const Pace& pace, double frequency, double part) {
 
 double sine(const Pace& pace, double frequency, double part, double phase, double t) {
   return calcAmplitude(pace, frequency, part) * std::sin(2 * kPi * (frequency * t + phase));
+}
+
+/// The frequency [Hz] at which a sine of this part of the half range is as fast as sines may be,
+/// or a bit less; within what shows inertia and delays without wearing the gears.
+double chooseFast(const Pace& pace, double part, double lowest, std::size_t salt) {
+  constexpr double kHighest = 4.5;  // [Hz] free choice
+  const double fastest = kSineSpeed * pace.max_speed / (2 * kPi * part * pace.half_range);
+  return std::clamp(fastest, lowest, kHighest) * pace.choose(0.75, 1, salt);
 }
 
 /// Frequency rising from `from` to `to` [Hz] over `length` [s], smaller as it gets faster.
@@ -89,8 +97,8 @@ double triangles(const Pace& pace, double t) {
 }
 
 double tones(const Pace& pace, double t) {
-  return sine(pace, pace.choose(0.3, 0.7, 3), 0.6, pace.choose(0, 1, 4), t) +
-         sine(pace, pace.choose(1.1, 2.3, 5), 0.4, pace.choose(0, 1, 6), t);
+  return sine(pace, pace.choose(0.3, 0.7, 3), 0.55, pace.choose(0, 1, 4), t) +
+         sine(pace, chooseFast(pace, 0.45, 1.5, 5), 0.45, pace.choose(0, 1, 6), t);
 }
 
 double reach(const Pace& pace, double t) {
@@ -110,9 +118,9 @@ double varied(const Pace& pace, double t) {
   }
   if (t < 2 * kThird) {
     return envelope * (sine(pace, pace.choose(0.5, 0.9, 14), 0.6, pace.choose(0, 1, 15), t) +
-                       sine(pace, pace.choose(1.3, 2.6, 16), 0.4, pace.choose(0, 1, 17), t));
+                       sine(pace, chooseFast(pace, 0.4, 1.7, 16), 0.4, pace.choose(0, 1, 17), t));
   }
-  return envelope * sweep(pace, pace.choose(0.6, 1, 18), pace.choose(2.5, 4, 19), kThird, since);
+  return envelope * sweep(pace, pace.choose(0.6, 1, 18), pace.choose(3, 5, 19), kThird, since);
 }
 
 double crossing(const Pace& pace, double t) {
@@ -125,10 +133,10 @@ double crossing(const Pace& pace, double t) {
 }
 
 double quick(const Pace& pace, double t) {
-  return sine(pace, pace.choose(0.2, 0.35, 24), 0.65, pace.choose(0, 1, 25), t) +
+  return sine(pace, pace.choose(0.2, 0.35, 24), 0.55, pace.choose(0, 1, 25), t) +
          sine(pace, pace.choose(0.8, 1.2, 26), 0.15, pace.choose(0, 1, 27), t) +
-         sine(pace, pace.choose(1.7, 2.3, 28), 0.12, pace.choose(0, 1, 29), t) +
-         sine(pace, pace.choose(3, 4, 30), 0.08, pace.choose(0, 1, 31), t);
+         sine(pace, chooseFast(pace, 0.15, 1.9, 28), 0.15, pace.choose(0, 1, 29), t) +
+         sine(pace, pace.choose(2.4, 3.4, 30), 0.15, pace.choose(0, 1, 31), t);
 }
 
 }  // namespace nao::validation

@@ -14,7 +14,7 @@ constexpr double kMargin = 0.03;  // [rad] kept from stops and coupled limits: 1
 
 // Of the top speed, free choices: ramps go to where the motor's voltage shows, those of a joint
 // that narrows another's range only so fast that the other can make way.
-constexpr double kRampSpeed = 0.7;
+constexpr double kRampSpeed = 0.85;
 constexpr double kLimitedRampSpeed = 0.4;
 constexpr double kDriverRampSpeed = 0.3;
 

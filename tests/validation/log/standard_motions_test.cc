@@ -6,8 +6,10 @@
 #include <cmath>
 
 #include "core/shape_gap.h"
+#include "sim/world.h"
 #include "tests/support/models.h"
 #include "tests/support/shape_gap.h"
+#include "validation/suspended.h"
 
 namespace nao::validation {
 namespace {
@@ -162,6 +164,23 @@ TEST(StandardMotions, BringTheAnkleToItsNarrowPlacesInFitSelectAndTest) {
     EXPECT_GT(rows[Split::Fit], 60);
     EXPECT_GT(rows[Split::Select], 10);
     EXPECT_GT(rows[Split::Test], 10);
+  }
+}
+
+// With servos that lag and overshoot.
+TEST(StandardMotions, TouchNothingWhenARobotWithHandsReallyPlaysThem) {
+  const auto hung = std::make_shared<RobotModel>(suspend(*test::robot("nao_h25_v50")));
+  for (std::size_t m = 0; m < standardMotions().size(); ++m) {
+    const Duration step = std::chrono::milliseconds(2);
+    sim::World world(test::flatWorld(), {{"robot", hung, {}}}, step);
+    const JointArray<double> rest = standardRest(*hung);
+    world.placeRobot(0, {}, &rest);
+    for (double t = 0; t < kStandardMotionTime; t += toSeconds(hung->cycle)) {
+      world.setCommand(0, {standardAngles(*hung, m, t), JointArray<double>(hung->jointCount(), 1)});
+      for (Duration passed{}; passed < hung->cycle; passed += step) world.step();
+      ASSERT_TRUE(world.contacts().forces.empty())
+          << standardMotions()[m].name << " at " << t << " s";
+    }
   }
 }
 
