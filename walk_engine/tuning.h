@@ -25,6 +25,8 @@ struct Tuning {
   double roll_damping = 0.06;     // [s] ankle roll per roll rate of the torso; free, 0.02-0.06: up
                                   // to there a gyroscope 30 ms late still does no harm
   double pitch_damping = 0.035;   // [s] ankle pitch per pitch rate; free, 0.02-0.05
+  double hip_follow = 0.02;   // [s] carrying hip's roll per roll rate of the torso, with the fall;
+                              // free, 0.015-0.04: from 0.05 on it rocks the body
   double level_time = 0.3;    // [s] in which a foot learns that its sole is not level; 0: never;
                               // free, 0.25-0.4: without it a quarter of the seeded walks of
                               // 0.48 m end more than 3 degrees off
@@ -39,7 +41,7 @@ struct Tuning {
 
 /// The same gait without an answer to what it senses.
 inline Tuning openLoop(Tuning tuning) {
-  tuning.roll_damping = tuning.pitch_damping = tuning.level_time = 0;
+  tuning.roll_damping = tuning.pitch_damping = tuning.hip_follow = tuning.level_time = 0;
   tuning.sway_gain = tuning.step_gain = 0;
   return tuning;
 }

@@ -26,6 +26,7 @@ constexpr double kGravity = 9.80665;  // [m/s^2]
 constexpr double kCommitted = 0.8;    // of a swing: later its landing stays; free, 0.7-0.9
 constexpr double kCatchSpeed = 1.0;   // [m/s] at which a landing moves at most; free
 constexpr double kOverlap = 0.4;      // [s] the rise may still take when the weight begins to move
+constexpr double kTouch = 3;          // [N] a foot that bears this has landed: noise is below 1 N
 constexpr double kAtRest = 0.002;     // [m/s] of the centre of mass
 
 // Arms where they hang while standing, for the height of the centre of mass.
@@ -75,6 +76,7 @@ class ZmpGait final : public motion::Gait {
   void swingArms(JointCommand& command);
   void balance(const SensorFrame& measured, JointArray<double>& angle);
   std::array<bool, 2> standing() const;
+  std::array<bool, 2> carrying(const SensorFrame& measured) const;
   Pose2 placeOf(Foot foot) const;
 
   std::shared_ptr<const RobotModel> model_;
@@ -299,7 +301,7 @@ void ZmpGait::balance(const SensorFrame& measured, JointArray<double>& angle) {
   levelling_.learn(measured.angle_y - demand.pitch, standing(), dt_);
   sway_.watch(measured.angle_x - demand.roll, standing());
   levelling_.apply(angle);
-  balance_.apply(measured.gyroscope, standing(), angle);
+  balance_.apply(measured.gyroscope, carrying(measured), angle);
 }
 
 std::array<bool, 2> ZmpGait::standing() const {
@@ -307,6 +309,15 @@ std::array<bool, 2> ZmpGait::standing() const {
   const PlannedStep* step = plan_.current();
   if (step && tick_ > step->lift()) stands[index(step->swing)] = false;
   return stands;
+}
+
+// Feet that stand by the plan, and those that the force sensors say have landed early.
+std::array<bool, 2> ZmpGait::carrying(const SensorFrame& measured) const {
+  std::array<bool, 2> carries = standing();
+  for (std::size_t i = 0; i < 2; ++i) {
+    carries[i] = carries[i] || measured.feet[i].total > kTouch;
+  }
+  return carries;
 }
 
 // The sole's place on the floor now, swinging or not.

@@ -107,6 +107,12 @@ TEST(HeadYawExperiment, NeitherFramesNorClientsChangeTheMotion) {
   EXPECT_LT(number(report, "command_to_sensor_shift_ms"), 50);
 }
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kSanitized = true;
+#else
+constexpr bool kSanitized = false;
+#endif
+
 TEST(RobotsExperiment, ShowsSpeedMemoryAndParts) {
   const Experiment& experiment = find("robots");
   ExperimentSettings settings = settingsOf(experiment);
@@ -118,7 +124,9 @@ TEST(RobotsExperiment, ShowsSpeedMemoryAndParts) {
   for (std::size_t i = 0; i < loads.size(); ++i) {
     EXPECT_EQ(std::get<double>(loads[i][0].second), robots[i]);
     EXPECT_GT(std::get<double>(loads[i][1].second), 0);
-    EXPECT_LE(std::get<double>(loads[i][3].second), 20);  // [MB] per robot, the bar
+    // A sanitizer keeps what is freed.
+    if (!kSanitized)
+      EXPECT_LE(std::get<double>(loads[i][3].second), 20);  // [MB] per robot, the bar
   }
   EXPECT_EQ(outcome.report.remarks.size(), 1u);  // nobody fell
   EXPECT_EQ(outcome.picture.panels.size(), 3u);

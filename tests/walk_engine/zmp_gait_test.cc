@@ -56,6 +56,31 @@ TEST_P(ZmpGaitTest, EndsAtTheTargetByOdometryAtRest) {
   EXPECT_EQ(gait_->velocity().x, 0);
 }
 
+// A foot that the force sensors feel before the plan has it land answers a fall like one that
+// stands.
+TEST_P(ZmpGaitTest, AFootThatLandsEarlyHelpsToBalance) {
+  gait_->walkToward(1, 0, 0, GaitConfig());
+  run(3);
+  measured_.gyroscope = {0.5, 0, 0};
+  std::array<int, 2> ankles_that_answer{};  // unfelt, felt
+  for (int i = 0; i < 42; ++i) {
+    JointCommand unfelt = command_, felt = command_;
+    measured_.time += model_->cycle;
+    measured_.feet[0].total = measured_.feet[1].total = 0;
+    gait_->clone()->update(measured_, unfelt);
+    measured_.feet[0].total = measured_.feet[1].total = 10;
+    gait_->clone()->update(measured_, felt);
+    gait_->update(measured_, command_);
+    for (const char* ankle : {"LAnkleRoll", "RAnkleRoll"}) {
+      const Joint joint = *model_->findJoint(ankle);
+      ankles_that_answer[1] += felt.angle[joint] > unfelt.angle[joint] + 0.02;
+      ankles_that_answer[0] += felt.angle[joint] < unfelt.angle[joint] - 0.02;
+    }
+  }
+  EXPECT_EQ(ankles_that_answer[0], 0);
+  EXPECT_GT(ankles_that_answer[1], 20);  // one foot swings for two thirds of the time
+}
+
 TEST_P(ZmpGaitTest, AddsUpOdometryFromWalkToWalk) {
   for (int i = 0; i < 4; ++i) {
     gait_->walkTo({0.1, 0, M_PI / 2}, GaitConfig());
