@@ -14,10 +14,12 @@ using rpc::Value;
 constexpr Duration kPosturePeriod = std::chrono::seconds(1);
 
 constexpr char kMoveFailed[] = "ALMotion/MoveFailed";
+constexpr char kMoveFailedOnce[] = "ALMotion/Safety/MoveFailed";  // as some robots name it
 
 // ALMotion's events that are no state. Those of sensors no Nao has are declared and never raised.
-constexpr std::array<const char*, 11> kEvents = {
+constexpr std::array<const char*, 12> kEvents = {
     kMoveFailed,
+    kMoveFailedOnce,
     "PostureChanged",
     "PostureFamilyChanged",
     "ALMotion/Stiffness/wakeUpStarted",
@@ -89,7 +91,10 @@ void MotionEvents::raiseMoveFailed(const motion::MotionState& state) {
   const bool is_news = state.moves_failed > moves_failed_;  // not so when set back
   moves_failed_ = state.moves_failed;
   const int status = state.failed_under_way ? 1 : 0;
-  if (is_news) raise(kMoveFailed, Value::list({"Internal stop", status, Value()}));
+  if (!is_news) return;
+  for (const char* event : {kMoveFailed, kMoveFailedOnce}) {
+    raise(event, Value::list({"Internal stop", status, Value()}));
+  }
 }
 
 void MotionEvents::raisePosture(const SensorFrame& sensors) {

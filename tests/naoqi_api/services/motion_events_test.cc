@@ -93,9 +93,11 @@ TEST_F(MotionEventsTest, BodyStiffnessHasThreeLevels) {
 TEST_F(MotionEventsTest, AMoveThatIsRefusedAndOneThatIsEndedFail) {
   motion_->call("setFallManagerEnabled", {false});
   listen("ALMotion/MoveFailed");
+  listen("ALMotion/Safety/MoveFailed");
   motion_->call("moveToward", {0.5, 0.0, 0.0});  // on limp legs
   run(3);
-  EXPECT_THAT(heard_, ElementsAre("ALMotion/MoveFailed [\"Internal stop\", 0, nothing]"));
+  EXPECT_THAT(heard_, ElementsAre("ALMotion/MoveFailed [\"Internal stop\", 0, nothing]",
+                                  "ALMotion/Safety/MoveFailed [\"Internal stop\", 0, nothing]"));
   heard_.clear();
   motion_->call("wakeUp", {});
   run(3);
@@ -104,7 +106,8 @@ TEST_F(MotionEventsTest, AMoveThatIsRefusedAndOneThatIsEndedFail) {
   EXPECT_THAT(heard_, IsEmpty());
   bench_.frame.angle_y = 1.5;
   run(1);
-  EXPECT_THAT(heard_, ElementsAre("ALMotion/MoveFailed [\"Internal stop\", 1, nothing]"));
+  EXPECT_THAT(heard_, ElementsAre("ALMotion/MoveFailed [\"Internal stop\", 1, nothing]",
+                                  "ALMotion/Safety/MoveFailed [\"Internal stop\", 1, nothing]"));
 }
 
 TEST_F(MotionEventsTest, PosturesAreToldOncePerSecond) {
