@@ -48,6 +48,7 @@ class Recorder {
     sim::WorldOptions options(plan_.step);
     options.mode = plan_.mode;
     options.any_step = true;
+    options.effects = plan_.effects;
     options.seed = 1 + static_cast<std::uint64_t>(random.uniform() * 1e15);
     return sim::World(std::make_shared<WorldModel>(), {{robot_->name, robot_, {}}}, options);
   }

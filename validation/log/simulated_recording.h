@@ -32,9 +32,10 @@ struct RecordingPlan {
   sim::Mode mode = sim::Mode::Implicit;
   std::uint64_t seed = 1;  // of all that differs between runs
   double start_sd = 0;     // [s] by which the commands of a run come late, or early, drawn per run
-  std::vector<std::string> joints;  // to write; empty: all
-  bool current = true;              // write motor currents
-  bool inertial_unit = false;       // write accelerometer, gyroscope and torso angles
+  std::vector<std::string> joints;                // to write; empty: all
+  const sim::EffectCatalogue* effects = nullptr;  // null: standardEffects()
+  bool current = true;                            // write motor currents
+  bool inertial_unit = false;                     // write accelerometer, gyroscope and torso angles
 };
 
 /// The standard motions of `record --protocol standard` for this robot.
