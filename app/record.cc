@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "app/lola_recorder.h"
 #include "app/robot_recorder.h"
 #include "app/source_paths.h"
 #include "core/check.h"
@@ -21,6 +22,7 @@ struct Arguments {
   std::string robots_dir = "robots";
   std::string host = "127.0.0.1";
   std::uint16_t port = 9559;
+  std::string lola;
   bool simulate = false;
   std::uint64_t seed = 1;
   int repeats = validation::kStandardRepeats;
@@ -48,14 +50,15 @@ validation::LogSet recordSimulation(const Arguments& arguments, const RobotModel
   return validation::recordSimulated(plan);
 }
 
-validation::LogSet recordStandard(RobotRecorder& recorder, const Arguments& arguments) {
+// The standard set by any recorder that can describe() a set and play() a run of it.
+template <class Recorder>
+validation::LogSet recordStandard(Recorder& recorder, int repeats) {
   const auto& motions = validation::standardMotions();
   validation::LogSet set = recorder.describe("standard set");
   set.environment.suspended = true;
-  const std::size_t runs = motions.size() * static_cast<std::size_t>(arguments.repeats);
-  recorder.prepare();
+  const std::size_t runs = motions.size() * static_cast<std::size_t>(repeats);
   for (std::size_t m = 0; m < motions.size(); ++m) {
-    for (int repeat = 0; repeat < arguments.repeats; ++repeat) {
+    for (int repeat = 0; repeat < repeats; ++repeat) {
       std::fprintf(stderr, "run %zu of %zu: %s\n", set.runs.size() + 1, runs,
                    motions[m].name.c_str());
       set.runs.push_back(recorder.play(m, repeat));
@@ -68,17 +71,31 @@ validation::LogSet recordRobot(const Arguments& arguments,
                                const std::shared_ptr<const RobotModel>& model) {
   daemon::QiClient client(arguments.host, arguments.port);
   RobotRecorder recorder(client, model, arguments.joints);
-  if (arguments.protocol == "standard") return recordStandard(recorder, arguments);
+  if (arguments.protocol == "standard") {
+    recorder.prepare();
+    return recordStandard(recorder, arguments.repeats);
+  }
   validation::LogSet set = recorder.describe("watched");
   set.runs.push_back(recorder.watch(arguments.seconds));
   return set;
 }
 
+validation::LogSet recordLola(const Arguments& arguments,
+                              const std::shared_ptr<const RobotModel>& model) {
+  if (arguments.protocol != "standard") {
+    throw InputError("--lola: expected --protocol standard, found " + arguments.protocol);
+  }
+  daemon::LolaLink link(arguments.lola);
+  LolaRecorder recorder(link, model);
+  return recordStandard(recorder, arguments.repeats);
+}
+
 void run(const Arguments& arguments) {
   const auto model = loadRobotModel(findSourceFile(arguments.robots_dir), arguments.robot);
   try {
-    const validation::LogSet set =
-        arguments.simulate ? recordSimulation(arguments, *model) : recordRobot(arguments, model);
+    const validation::LogSet set = arguments.simulate       ? recordSimulation(arguments, *model)
+                                   : arguments.lola.empty() ? recordRobot(arguments, model)
+                                                            : recordLola(arguments, model);
     validation::writeLogSet(set, arguments.out);
     std::printf("%zu runs of %zu joints: %s\n", set.runs.size(), set.joints.size(),
                 arguments.out.c_str());
@@ -104,6 +121,9 @@ void addOptions(CLI::App& command, Arguments& arguments) {
   command.add_option("--host", arguments.host, "The robot, or the host of a daemon.")
       ->capture_default_str();
   command.add_option("--port", arguments.port, "Where its NaoQi listens.")->capture_default_str();
+  command.add_option(
+      "--lola", arguments.lola,
+      "The LoLA socket of a NAO V6 instead, /tmp/robocup there (--robot nao_h25_v60).");
   command
       .add_option("--joints", arguments.joints,
                   "The joints to move, or of a simulated robot: to write. Default: all.")

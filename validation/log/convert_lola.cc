@@ -18,12 +18,6 @@ using Json = nlohmann::json;
 constexpr double kCycle = 0.012;          // [s]
 constexpr double kNewtonPerKg = 9.80665;  // force sensors are in kg of weight
 
-constexpr std::array kJoints{
-    "HeadYaw",    "HeadPitch",   "LShoulderPitch", "LShoulderRoll",  "LElbowYaw",
-    "LElbowRoll", "LWristYaw",   "LHipYawPitch",   "LHipRoll",       "LHipPitch",
-    "LKneePitch", "LAnklePitch", "LAnkleRoll",     "RHipRoll",       "RHipPitch",
-    "RKneePitch", "RAnklePitch", "RAnkleRoll",     "RShoulderPitch", "RShoulderRoll",
-    "RElbowYaw",  "RElbowRoll",  "RWristYaw",      "LHand",          "RHand"};
 constexpr std::array kForces{"L.fl", "L.fr", "L.rl", "L.rr", "R.fl", "R.fr", "R.rl", "R.rr"};
 constexpr std::array kAxes{"x", "y", "z"};
 
@@ -45,9 +39,9 @@ void putAll(LogRun& run, const Json& frame, const char* key, const std::string& 
 
 void addSensors(LogRun& run, const Json& frame) {
   run.t.push_back(static_cast<double>(run.t.size()) * kCycle);
-  putAll(run, frame, "Position", "q.", kJoints);
-  putAll(run, frame, "Current", "cur.", kJoints);
-  putAll(run, frame, "Temperature", "temp.", kJoints);
+  putAll(run, frame, "Position", "q.", lolaJoints());
+  putAll(run, frame, "Current", "cur.", lolaJoints());
+  putAll(run, frame, "Temperature", "temp.", lolaJoints());
   putAll(run, frame, "Accelerometer", "imu.acc.", kAxes);
   putAll(run, frame, "Gyroscope", "imu.gyr.", kAxes);
   putAll(run, frame, "Angles", "imu.ang.", kAxes);
@@ -56,11 +50,42 @@ void addSensors(LogRun& run, const Json& frame) {
 
 void addCommand(LogRun& run, const Json& frame) {
   if (run.t.empty()) return;
-  putAll(run, frame, "Position", "cmd.", kJoints);
-  putAll(run, frame, "Stiffness", "cmd_stiffness.", kJoints);
+  putAll(run, frame, "Position", "cmd.", lolaJoints());
+  putAll(run, frame, "Stiffness", "cmd_stiffness.", lolaJoints());
 }
 
 }  // namespace
+
+const std::vector<std::string>& lolaJoints() {
+  static const std::vector<std::string> kJoints{
+      "HeadYaw",    "HeadPitch",   "LShoulderPitch", "LShoulderRoll",  "LElbowYaw",
+      "LElbowRoll", "LWristYaw",   "LHipYawPitch",   "LHipRoll",       "LHipPitch",
+      "LKneePitch", "LAnklePitch", "LAnkleRoll",     "RHipRoll",       "RHipPitch",
+      "RKneePitch", "RAnklePitch", "RAnkleRoll",     "RShoulderPitch", "RShoulderRoll",
+      "RElbowYaw",  "RElbowRoll",  "RWristYaw",      "LHand",          "RHand"};
+  return kJoints;
+}
+
+std::vector<double> readLolaAngles(const std::string& frame) {
+  const Json json = Json::from_msgpack(frame, true, false);
+  const auto list = json.is_object() ? json.find("Position") : json.end();
+  if (!json.is_object() || list == json.end() || list->size() != lolaJoints().size()) {
+    throw InputError("LoLA: expected a sensor frame with 25 positions, found other bytes");
+  }
+  return list->get<std::vector<double>>();
+}
+
+std::string encodeLolaCommand(const std::vector<double>& angles,
+                              const std::vector<double>& stiffness) {
+  NAO_CHECK(angles.size() == lolaJoints().size() && stiffness.size() == angles.size());
+  // As the robot's clients do: numbers of 32 bits.
+  const auto narrow = [](const std::vector<double>& values) {
+    return std::vector<float>(values.begin(), values.end());
+  };
+  const Json frame{{"Position", narrow(angles)}, {"Stiffness", narrow(stiffness)}};
+  const std::vector<std::uint8_t> bytes = Json::to_msgpack(frame);
+  return std::string(bytes.begin(), bytes.end());
+}
 
 LogRun readLolaRows(const std::string& bytes, const std::string& file) {
   LogRun run;

@@ -11,6 +11,8 @@
 #include "core/check.h"
 #include "tests/core/temporary_folder.h"
 #include "validation/log/data_faults.h"
+#include "validation/log/lola_rows.h"
+#include "validation/log/robot_log_files.h"
 
 namespace nao::validation {
 namespace {
@@ -154,6 +156,27 @@ TEST(Convert, ReadsLolaFramesAndTheCommandsBetweenThem) {
     const std::string place = "byte " + std::to_string(sensors.size());
     EXPECT_THAT(error.what(), HasSubstr(place + ": expected a whole MessagePack map"));
   }
+}
+
+TEST(Convert, WritesLolaCommandsThatItReads) {
+  std::vector<double> angles(25), stiffness(25, 1);
+  for (std::size_t i = 0; i < angles.size(); ++i) angles[i] = 0.125 * static_cast<double>(i);
+  const std::string command = encodeLolaCommand(angles, stiffness);
+  EXPECT_LT(command.size(), 300u);  // 32 bits a number
+  EXPECT_EQ(readLolaAngles(command), angles);
+  EXPECT_THROW(readLolaAngles("nothing"), InputError);
+}
+
+TEST(Convert, ReadsFramesAsARealClientSawThem) {
+  const std::string captures = std::string(NAO_SOURCE_DIR) + "/../shared/captures/";
+  if (!std::filesystem::exists(captures + "lola_sensor_frame.bin")) GTEST_SKIP() << "no captures";
+  const std::string sensors = readPacked(captures + "lola_sensor_frame.bin");
+  const std::string command = readPacked(captures + "lola_actuator_frame.bin");
+  const LogRun run = readLolaRows(sensors + command + sensors, "frames");
+  EXPECT_EQ(run.t.size(), 2u);
+  EXPECT_EQ(run.columns.size(), 25u * 5 + 3 + 3 + 2 + 8);
+  EXPECT_NEAR(run.find("imu.acc.z")->at(1), -9.81, 1e-6);
+  EXPECT_EQ(readLolaAngles(sensors).size(), 25u);
 }
 
 TEST(Convert, KnowsNoOtherFiles) {
