@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "validation/diagnosis/least_squares.h"
 
@@ -23,6 +24,27 @@ void append(FitSpace& space, const Cause& cause, const std::vector<double>& x) {
     space.upper.push_back(cause.free[i].upper);
     space.step.push_back(stepOf(cause.free[i]));
   }
+}
+
+// Rough causes have several valleys: the size that fits best of a widely, then a finely spaced row.
+std::vector<double> scanned(
+    const std::function<Eigen::VectorXd(const std::vector<double>&)>& residual,
+    const FitSpace& space) {
+  std::vector<double> best = space.start;
+  double least = residual(best).squaredNorm();
+  for (const std::vector<double>& row :
+       {std::vector<double>{0.4, 0.63, 1.6, 2.5}, {0.8, 1.25}, {0.9, 1.11}}) {
+    const std::vector<double> centre = best;
+    for (const double factor : row) {
+      std::vector<double> x = centre;
+      x[0] = std::clamp(x[0] * factor, space.lower[0], space.upper[0]);
+      const double cost = residual(x).squaredNorm();
+      if (cost >= least) continue;
+      least = cost;
+      best = x;
+    }
+  }
+  return best;
 }
 
 CauseList withNumbers(CauseList model, const std::vector<double>& numbers) {
@@ -47,14 +69,14 @@ QuickFit fitQuickly(Ensemble& ensemble, const JointData& data, const Stage& stag
   const Eigen::VectorXd base = rest.size() == stage.model().size()
                                    ? stage.lookBase()
                                    : ensemble.mean(settingsOf(causes, rest), effort.look_runs);
-  const FitPoint best = leastSquares(
-      [&](const std::vector<double>& numbers) -> Eigen::VectorXd {
-        CauseList with = rest;
-        with.push_back({cause, numbers});
-        const Eigen::VectorXd mean = ensemble.mean(settingsOf(causes, with), effort.look_runs);
-        return stage.white(raw - (mean - base));
-      },
-      space);
+  const auto residual = [&](const std::vector<double>& numbers) -> Eigen::VectorXd {
+    CauseList with = rest;
+    with.push_back({cause, numbers});
+    const Eigen::VectorXd mean = ensemble.mean(settingsOf(causes, with), effort.look_runs);
+    return stage.white(raw - (mean - base));
+  };
+  if (!causes[cause].linear) space.start = scanned(residual, space);
+  const FitPoint best = leastSquares(residual, space);
   return {cause, best.x, before.squaredNorm() / 2 - best.cost};
 }
 
@@ -95,21 +117,23 @@ ModelFit fitFully(Ensemble& ensemble, const JointData& data, const Stage& stage,
   return fit;
 }
 
-std::vector<QuickFit> startsFor(const Stage& stage, const Eigen::VectorXd& white, double least,
-                                int most) {
+std::vector<QuickFit> startsFor(const Stage& stage, const std::vector<Cause>& causes,
+                                const Eigen::VectorXd& white, double least, int most) {
   std::vector<QuickFit> starts;
   for (const Look& look : stage.looks()) {
     double scale = 0;
     const double gain = Stage::gain(look, white, &scale);
     if (gain < least || scale == 0) continue;
     QuickFit start{look.cause, look.x, gain};
-    start.x[0] *= scale;
+    // A rough cause is what it was seen to be, if that helped at all; its sizes are scanned later.
+    const double as_seen = look.white.dot(white) - look.white.squaredNorm() / 2;
+    if (causes[look.cause].linear || as_seen <= 0) start.x[0] *= scale;
     starts.push_back(std::move(start));
   }
   std::stable_sort(starts.begin(), starts.end(),
                    [](const QuickFit& a, const QuickFit& b) { return a.gain > b.gain; });
   std::vector<QuickFit> kept;
-  std::vector<std::size_t> causes;
+  std::vector<std::size_t> known;
   for (const QuickFit& start : starts) {
     int same = 0;
     double best = 0;
@@ -117,8 +141,8 @@ std::vector<QuickFit> startsFor(const Stage& stage, const Eigen::VectorXd& white
       if (other.cause == start.cause) ++same, best = std::max(best, other.gain);
     }
     if (same >= 2 || (same == 1 && start.gain < kNearlyAsGood * best)) continue;
-    if (same == 0 && static_cast<int>(causes.size()) >= most) continue;
-    if (same == 0) causes.push_back(start.cause);
+    if (same == 0 && static_cast<int>(known.size()) >= most) continue;
+    if (same == 0) known.push_back(start.cause);
     kept.push_back(start);
   }
   return kept;

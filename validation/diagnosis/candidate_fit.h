@@ -33,7 +33,7 @@ ModelFit fitFully(Ensemble& ensemble, const JointData& data, const Stage& stage,
 
 /// The best start of every cause that could explain at least `least` nats, best first, at most
 /// `most`; two starts of one cause if they differ in sign or are nearly as good.
-std::vector<QuickFit> startsFor(const Stage& stage, const Eigen::VectorXd& white, double least,
-                                int most);
+std::vector<QuickFit> startsFor(const Stage& stage, const std::vector<Cause>& causes,
+                                const Eigen::VectorXd& white, double least, int most);
 
 }  // namespace nao::validation

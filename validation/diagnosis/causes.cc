@@ -17,6 +17,27 @@ bool isFriction(const std::string& effect) {
   return effect == "coulomb_friction" || effect == "viscous_friction" || effect == "load_friction";
 }
 
+// The smallest step between two samples of all runs [rad]: that of the encoder, as no trajectory
+// can show it better.
+double measuredQuantum(const JointSimulator& joint) {
+  double least = kFar;
+  for (const JointMotion& motion : joint.measured()) {
+    for (const Eigen::MatrixXd& run : motion.repeats) {
+      for (Eigen::Index i = 1; i < run.rows(); ++i) {
+        const double step = std::abs(run(i, 0) - run(i - 1, 0));
+        if (step > 1e-7) least = std::min(least, step);
+      }
+    }
+  }
+  return least;
+}
+
+void startAtMeasuredQuantum(FreeNumber& number, const JointSimulator& joint) {
+  const double found =
+      measuredQuantum(joint) - number.neutral - joint.present("encoder_quantum", number.parameter);
+  if (found > number.smallest && found < number.upper) number.starts = {found};
+}
+
 void replace(std::string& text, const std::string& key, const std::string& value) {
   const std::size_t at = text.find(key);
   if (at != std::string::npos) text.replace(at, key.size(), value);
@@ -52,6 +73,7 @@ Cause boundedAt(const Cause& cause, const JointSimulator& joint,
       if (number.smallest == 0) number.smallest = p.smallest;
     }
   }
+  if (cause.effect == "encoder_quantum") startAtMeasuredQuantum(bounded.free[0], joint);
   const std::string& size = bounded.free[0].parameter;
   if (isFriction(cause.effect)) {
     bounded.spread = kFrictionSpread * std::abs(joint.present(cause.effect, size));

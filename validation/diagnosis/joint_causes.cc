@@ -169,7 +169,7 @@ void addTiming(std::vector<Cause>& all) {
                            "{joint}'s angle is reported {value} later than the model says",
                            "the current as a third clock")));
   all.push_back(forAll(
-      byGrid(one("command_hold", "interval", {0.03, 0.06, 0.1, 0.02},
+      byGrid(one("command_hold", "interval", {0.03, 0.015, 0.06, 0.1},
                  "{joint} takes new commands only every {value}", "a log at a higher rate"))));
   all.push_back(forAll(byGrid(one("command_filter", "time", {0.015, 0.05},
                                   "{joint}'s command is smoothed over {value}",

@@ -35,6 +35,15 @@ Eigen::MatrixXd reestimated(const Stage& stage, const ModelFit& fit) {
   return moves;
 }
 
+// Beside a remainder a cause may be the nearest imitation of a law that is not in the catalogue: it
+// is not named alone.
+void doubt(JointVerdict& verdict) {
+  for (Finding& finding : verdict.findings) {
+    finding.rivals.push_back({"unknown", {}, 0});
+    if (finding.rivals.size() == 1) finding.experiment = "look at the signature of what remains";
+  }
+}
+
 void setInterval(FoundNumber& number, const Eigen::VectorXd& moves) {
   const std::vector<double> all(moves.data(), moves.data() + moves.size());
   number.low = number.deviation - quantile(all, kHigh);
@@ -98,10 +107,11 @@ void JointSearch::judge(JointVerdict& verdict) {
   const double sd = std::sqrt(std::max(square - mean * mean, 1e-12));
   verdict.remainder_score = (stage_->whiteAll(stage_->raw()).squaredNorm() / 2 - mean) / sd;
 
-  const std::vector<const Finding*> named = verdict.named();
   const bool remains = verdict.remainder_score > verdict.remainder_critical;
+  const std::vector<const Finding*> named = verdict.named();
   const bool ambiguous = std::any_of(named.begin(), named.end(),
                                      [](const Finding* one) { return !one->rivals.empty(); });
+  if (remains) doubt(verdict);
   if (ensemble_.spent() && (remains || !not_tried_.empty())) {
     verdict.verdict = Verdict::Unfinished;
   } else if (named.empty()) {

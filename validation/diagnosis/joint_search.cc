@@ -11,7 +11,8 @@ constexpr double kConfidence = 0.99;     // of thresholds, over the null sets of
 constexpr double kSmallestShare = 0.03;  // of the excess misfit, less is not worth a name
 constexpr double kSame = 0.03;           // of the gain: rivals within it are not told apart
 constexpr double kWorthFitting = 0.7;    // of the threshold: what a look must promise
-constexpr double kClose = 0.1;           // of the best quick gain: fitted fully as well
+constexpr double kHopeless = 0.03;       // of the best look's gain: less never becomes the best fit
+constexpr double kClose = 0.06;          // of the best quick gain: fitted fully as well
 constexpr double kSwap = 0.01;           // of the gain: what a rival must be better by
 constexpr double kExcited = 1;           // squared noise SDs of a look: else it cannot be judged
 
@@ -216,14 +217,13 @@ bool JointSearch::step() {
 
 // Each cause competes again with all others for its place beside the rest of the model.
 bool JointSearch::review() {
-  if (accepted_.size() < 2) return false;
   bool changed = false;
-  int changes = 0;
-  for (std::size_t place = 0; place < accepted_.size() && !ensemble_.spent();) {
-    if (accepted_.size() < 2) return true;
-    if (reviewOne(place) && ++changes < 3) {
+  // One place after the other: a change puts the new cause last, so that each is seen once.
+  std::size_t place = 0;
+  for (std::size_t left = accepted_.size(); left > 0 && accepted_.size() > 1; --left) {
+    if (ensemble_.spent()) break;
+    if (reviewOne(place)) {
       changed = true;
-      place = 0;
     } else {
       ++place;
     }
