@@ -114,8 +114,9 @@ double JointSearch::misfit(const Stage& stage, const Eigen::VectorXd& raw) const
 std::vector<JointSearch::Candidate> JointSearch::rank(const Stage& stage) {
   const double crit = critical();
   std::vector<Candidate> ranking;
-  const auto starts =
-      startsFor(stage, stage.white(stage.raw()), kWorthFitting * crit, effort_.survivors);
+  const Eigen::VectorXd white = stage.white(stage.raw());
+  const double least = std::max(kWorthFitting * crit, kHopeless * stage.largestGain(white));
+  const auto starts = startsFor(stage, causes_, white, least, effort_.survivors);
   for (const QuickFit& start : starts) {
     if (ensemble_.spent()) {
       not_tried_.push_back(causes_[start.cause].id);
@@ -131,21 +132,33 @@ std::vector<JointSearch::Candidate> JointSearch::rank(const Stage& stage) {
       *same = {fit.cause, fit.x, fit.gain, false, {}};
     }
   }
-  const auto better = [](const Candidate& a, const Candidate& b) { return a.gain > b.gain; };
-  std::stable_sort(ranking.begin(), ranking.end(), better);
+  sortBest(ranking);
+  return ranking;
+}
+
+void JointSearch::fitFinalists(const Stage& stage, std::vector<Candidate>& ranking) {
   const double best = ranking.empty() ? 0 : ranking.front().gain;
+  const double reach = std::max(2 * critical(), kClose * best);
   for (int i = 0; i < effort_.finalists && i < static_cast<int>(ranking.size()); ++i) {
     Candidate& candidate = ranking[static_cast<std::size_t>(i)];
-    if (candidate.gain < best - std::max(2 * crit, kClose * best) || ensemble_.spent()) break;
-    CauseList model = stage.model();
-    model.push_back({candidate.cause, candidate.x});
-    candidate.fit = fitFully(ensemble_, data_, stage, causes_, model, effort_);
-    candidate.gain = candidate.fit.gain;
-    candidate.x = candidate.fit.model.back().x;
-    candidate.full = true;
+    if (candidate.gain < best - reach || ensemble_.spent()) break;
+    fitFinally(stage, candidate);
   }
-  std::stable_sort(ranking.begin(), ranking.end(), better);
-  return ranking;
+  sortBest(ranking);
+}
+
+void JointSearch::fitFinally(const Stage& stage, Candidate& candidate) {
+  CauseList model = stage.model();
+  model.push_back({candidate.cause, candidate.x});
+  candidate.fit = fitFully(ensemble_, data_, stage, causes_, model, effort_);
+  candidate.gain = candidate.fit.gain;
+  candidate.x = candidate.fit.model.back().x;
+  candidate.full = true;
+}
+
+void JointSearch::sortBest(std::vector<Candidate>& ranking) {
+  std::stable_sort(ranking.begin(), ranking.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.gain > b.gain; });
 }
 
 bool JointSearch::isSmall(const Candidate& candidate) const {
@@ -212,7 +225,9 @@ void JointSearch::setRivals(std::size_t place, const std::vector<Candidate>& ran
 
 bool JointSearch::step() {
   if (static_cast<int>(accepted_.size()) >= effort_.most_causes) return false;
-  return accept(rank(*stage_));
+  std::vector<Candidate> ranking = rank(*stage_);
+  fitFinalists(*stage_, ranking);
+  return accept(ranking);
 }
 
 // Each cause competes again with all others for its place beside the rest of the model.
@@ -245,39 +260,49 @@ bool JointSearch::reviewOne(std::size_t place) {
     column += static_cast<std::size_t>(n);
   }
   const std::unique_ptr<Stage> without = stageOf(rest, jacobian);
-  const std::vector<Candidate> ranking = rank(*without);
+  std::vector<Candidate> ranking = rank(*without);
   const std::size_t cause = accepted_[place].cause;
   const auto own = std::find_if(ranking.begin(), ranking.end(),
                                 [&](const Candidate& c) { return c.cause == cause; });
   const double own_gain = own == ranking.end() ? 0 : own->gain;
-  const bool has_best = !ranking.empty() && ranking.front().full;
-  if (own_gain <= critical() && (!has_best || ranking.front().gain <= critical())) {
-    reject(cause, own_gain, "no longer needed beside the others");
-    accepted_.erase(accepted_.begin() + static_cast<std::ptrdiff_t>(place));
+  const double best_gain = ranking.empty() ? 0 : ranking.front().gain;
+  if (std::max(own_gain, best_gain) <= critical()) {
+    drop(place, own_gain, "no longer needed beside the others");
     fit_ = fitFully(ensemble_, data_, *without, causes_, rest, effort_);
     enter(stageOf(fit_.model, fit_.jacobian));
     return true;
   }
-  if (has_best && ranking.front().cause != cause &&
-      ranking.front().gain > own_gain + std::max(2.0, kSwap * own_gain)) {
-    const Candidate& best = ranking.front();
-    reject(cause, own_gain, "explained better by " + causes_[best.cause].id);
-    Accepted swapped{best.cause,
-                     best.gain,
-                     accepted_[place].share,
-                     crossValidate(data_, *without, best.fit, best.x.size()),
-                     isSmall(best),
-                     {}};
-    accepted_.erase(accepted_.begin() + static_cast<std::ptrdiff_t>(place));
-    accepted_.push_back(swapped);
-    setRivals(accepted_.size() - 1, ranking);
-    fit_ = best.fit;
-    enter(stageOf(fit_.model, fit_.jacobian));
-    return true;
+  if (best_gain > own_gain + std::max(2.0, kSwap * own_gain)) {
+    Candidate best = ranking.front();
+    fitFinally(*without, best);
+    if (best.gain > own_gain + std::max(2.0, kSwap * own_gain)) {
+      swap(place, own_gain, *without, best, ranking);
+      return true;
+    }
   }
   accepted_[place].gain = own_gain;
   setRivals(place, ranking);
   return false;
+}
+
+void JointSearch::drop(std::size_t place, double gain, const std::string& reason) {
+  reject(accepted_[place].cause, gain, reason);
+  accepted_.erase(accepted_.begin() + static_cast<std::ptrdiff_t>(place));
+}
+
+void JointSearch::swap(std::size_t place, double gain, const Stage& without, const Candidate& best,
+                       const std::vector<Candidate>& ranking) {
+  Accepted swapped{best.cause,
+                   best.gain,
+                   accepted_[place].share,
+                   crossValidate(data_, without, best.fit, best.x.size()),
+                   isSmall(best),
+                   {}};
+  drop(place, gain, "explained better by " + causes_[best.cause].id);
+  accepted_.push_back(swapped);
+  setRivals(accepted_.size() - 1, ranking);
+  fit_ = best.fit;
+  enter(stageOf(fit_.model, fit_.jacobian));
 }
 
 JointVerdict JointSearch::conclude(const NullRecord& others) {

@@ -59,6 +59,12 @@ class JointSearch {
   void enter(std::unique_ptr<Stage> stage);
   double critical() const;
   std::vector<Candidate> rank(const Stage& stage);
+  void fitFinalists(const Stage& stage, std::vector<Candidate>& ranking);
+  void fitFinally(const Stage& stage, Candidate& candidate);
+  static void sortBest(std::vector<Candidate>& ranking);
+  void drop(std::size_t place, double gain, const std::string& reason);
+  void swap(std::size_t place, double gain, const Stage& without, const Candidate& best,
+            const std::vector<Candidate>& ranking);
   bool step();
   bool accept(const std::vector<Candidate>& ranking);
   std::string objection(const Stage& stage, const Candidate& candidate,
