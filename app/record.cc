@@ -8,6 +8,7 @@
 #include "app/source_paths.h"
 #include "core/check.h"
 #include "naoqi_api/call_error.h"
+#include "validation/log/floor_recording.h"
 #include "validation/log/simulated_recording.h"
 #include "validation/log/standard_motions.h"
 #include "validation/suspended.h"
@@ -50,6 +51,35 @@ validation::LogSet recordSimulation(const Arguments& arguments, const RobotModel
   return validation::recordSimulated(plan);
 }
 
+const std::vector<validation::FloorMotion>& floorMotions(const std::string& protocol) {
+  return protocol == "walk" ? validation::walkingMotions() : validation::standingMotions();
+}
+
+validation::LogSet recordSimulatedFloor(const Arguments& arguments, const RobotModel& model) {
+  validation::FloorPlan plan;
+  plan.model = std::make_shared<RobotModel>(model);
+  if (arguments.noise > 0) {
+    plan.extra = {{"process_noise", {{"sd", arguments.noise}}, {}, "--noise"}};
+  }
+  plan.motions = floorMotions(arguments.protocol);
+  plan.repeats = arguments.repeats;
+  plan.seed = arguments.seed;
+  return validation::recordOnFloor(plan);
+}
+
+// The standing or walking set of a robot that speaks NaoQi.
+validation::LogSet recordFloor(RobotRecorder& recorder, const Arguments& arguments) {
+  validation::LogSet set = recorder.describe(arguments.protocol + "ing set");
+  for (const validation::FloorMotion& motion : floorMotions(arguments.protocol)) {
+    for (int repeat = 0; repeat < arguments.repeats; ++repeat) {
+      std::fprintf(stderr, "%s, run %d of %d\n", motion.name.c_str(), repeat + 1,
+                   arguments.repeats);
+      set.runs.push_back(recorder.play(motion, repeat));
+    }
+  }
+  return set;
+}
+
 // The standard set by any recorder that can describe() a set and play() a run of it.
 template <class Recorder>
 validation::LogSet recordStandard(Recorder& recorder, int repeats) {
@@ -75,6 +105,10 @@ validation::LogSet recordRobot(const Arguments& arguments,
     recorder.prepare();
     return recordStandard(recorder, arguments.repeats);
   }
+  if (arguments.protocol != "watch") {
+    client.call("ALMotion", "wakeUp");
+    return recordFloor(recorder, arguments);
+  }
   validation::LogSet set = recorder.describe("watched");
   set.runs.push_back(recorder.watch(arguments.seconds));
   return set;
@@ -90,12 +124,19 @@ validation::LogSet recordLola(const Arguments& arguments,
   return recordStandard(recorder, arguments.repeats);
 }
 
+validation::LogSet record(const Arguments& arguments,
+                          const std::shared_ptr<const RobotModel>& model) {
+  if (!arguments.lola.empty()) return recordLola(arguments, model);
+  if (!arguments.simulate) return recordRobot(arguments, model);
+  if (arguments.protocol == "watch") throw InputError("--simulate: there is nothing to watch");
+  if (arguments.protocol != "standard") return recordSimulatedFloor(arguments, *model);
+  return recordSimulation(arguments, *model);
+}
+
 void run(const Arguments& arguments) {
   const auto model = loadRobotModel(findSourceFile(arguments.robots_dir), arguments.robot);
   try {
-    const validation::LogSet set = arguments.simulate       ? recordSimulation(arguments, *model)
-                                   : arguments.lola.empty() ? recordRobot(arguments, model)
-                                                            : recordLola(arguments, model);
+    const validation::LogSet set = record(arguments, model);
     validation::writeLogSet(set, arguments.out);
     std::printf("%zu runs of %zu joints: %s\n", set.runs.size(), set.joints.size(),
                 arguments.out.c_str());
@@ -112,7 +153,7 @@ void addOptions(CLI::App& command, Arguments& arguments) {
                   "standard: seven motions of every joint, six times 6 s each (20 minutes).\n"
                   "Hang the robot up by its torso first, feet in the air, arms free.\n"
                   "watch: what the robot does by itself, for --seconds.")
-      ->check(CLI::IsMember({"standard", "watch"}))
+      ->check(CLI::IsMember({"standard", "stand", "walk", "watch"}))
       ->capture_default_str();
   command.add_option("--robot", arguments.robot, "The nominal model, of the folder robots/.")
       ->capture_default_str();
@@ -147,7 +188,7 @@ void addSimulationOptions(CLI::App& command, Arguments& arguments) {
   command.add_option("--start-jitter", arguments.start, "Of a simulated run's begin [s].")
       ->check(CLI::Range(0.0, 0.1))
       ->capture_default_str();
-  command.add_option("--step", arguments.step, "Length of a physics step [s].")
+  command.add_option("--step", arguments.step, "Length of a physics step [s] of a hung-up robot.")
       ->check(CLI::Range(1e-5, 0.005))
       ->capture_default_str();
 }

@@ -20,6 +20,7 @@ using validation::LogSet;
 
 constexpr double kGlide = 3;       // [s] to the first pose: slow enough for any joint's way
 constexpr double kRest = 1;        // [s] before a motion: ten times what a joint takes to settle
+constexpr double kBefore = 0.1;    // [s] of rows before a motion is asked for, to find its edge in
 constexpr double kKeyStep = 0.02;  // [s] between keys of a motion: ALMotion's own cycle
 constexpr const char* kClock = "DCM/Time";  // [ms], wraps at 2^31
 
@@ -59,6 +60,17 @@ void startAtCommand(LogRun& run) {
   run.t.erase(run.t.begin(), run.t.begin() + cut);
   for (double& t : run.t) t -= zero;
   for (auto& [name, values] : run.columns) values.erase(values.begin(), values.begin() + cut);
+}
+
+LogRun makeRun(const std::string& motion, validation::Split split, int repeat,
+               const RobotModel& model) {
+  LogRun run;
+  run.motion = motion;
+  run.split = split;
+  run.repeat = repeat;
+  run.file = "run_" + motion + "_" + std::to_string(repeat) + ".csv";
+  run.robot_id = model.name;
+  return run;
 }
 
 }  // namespace
@@ -139,12 +151,12 @@ void RobotRecorder::glideToRest() {
                 Value::listOf("f", std::move(times)), true});
 }
 
-daemon::QiClient::Ticket RobotRecorder::begin(std::size_t motion) {
-  const auto keys = static_cast<int>(validation::kStandardMotionTime / kKeyStep);
+daemon::QiClient::Ticket RobotRecorder::begin(const Angles& angles_at, double duration) {
+  const auto keys = static_cast<int>(duration / kKeyStep);
   std::vector<std::vector<Value>> angles(moving_.size());
   std::vector<Value> times;
   for (int k = 1; k <= keys; ++k) {
-    const auto all = validation::standardAngles(*model_, motion, k * kKeyStep);
+    const JointArray<double> all = angles_at(k * kKeyStep);
     for (std::size_t i = 0; i < moving_.size(); ++i) {
       angles[i].emplace_back(static_cast<float>(all[moving_[i]]));
     }
@@ -160,26 +172,45 @@ daemon::QiClient::Ticket RobotRecorder::begin(std::size_t motion) {
                         Value::listOf("[f]", std::move(time_lists)), true});
 }
 
+// Rows while a motion is under way. Before it begins there must be some, to find its edge in.
+void RobotRecorder::record(LogRun& run, const daemon::QiClient::Ticket& ticket, double duration) {
+  const double end = run.t.back() + duration;
+  while (poll(run) < end) {
+  }
+  client_.finish(ticket);
+  startAtCommand(run);
+}
+
 LogRun RobotRecorder::play(std::size_t motion, int repeat) {
-  constexpr double kBefore =
-      0.1;  // [s] of rows before the motion is asked for, to find its edge in
-  LogRun run;
-  run.motion = validation::standardMotions()[motion].name;
-  run.split = validation::standardMotions()[motion].split;
-  run.repeat = repeat;
-  run.file = "run_" + run.motion + "_" + std::to_string(repeat) + ".csv";
-  run.robot_id = model_->name;
+  const auto& standard = validation::standardMotions()[motion];
+  LogRun run = makeRun(standard.name, standard.split, repeat, *model_);
   run.start_pose = "rest of the standard motions";
   glideToRest();
   watch(kRest);
   while (poll(run) < kBefore) {
   }
-  const auto ticket = begin(motion);
-  const double end = kBefore + validation::kStandardMotionTime;
-  while (poll(run) < end) {
+  const double duration = validation::kStandardMotionTime;
+  const auto angles = [&](double t) { return validation::standardAngles(*model_, motion, t); };
+  record(run, begin(angles, duration), duration);
+  return run;
+}
+
+LogRun RobotRecorder::play(const validation::FloorMotion& motion, int repeat) {
+  LogRun run = makeRun(motion.name, motion.split, repeat, *model_);
+  run.start_pose = "StandInit";
+  client_.call("ALRobotPosture", "goToPosture", {"StandInit", 0.5F});
+  watch(kRest);
+  while (poll(run) < kBefore) {
   }
-  client_.finish(ticket);
-  startAtCommand(run);
+  const auto angles = [&](double t) { return validation::calcFloorAngles(*model_, motion, t); };
+  if (!motion.walk) {
+    record(run, begin(angles, motion.duration), motion.duration);
+    return run;
+  }
+  const auto number = [](double x) { return Value(static_cast<float>(x)); };
+  const std::vector<Value> target{number(motion.walk->x), number(motion.walk->y),
+                                  number(motion.walk->theta)};
+  record(run, client_.begin("ALMotion", "moveTo", target), motion.duration);
   return run;
 }
 

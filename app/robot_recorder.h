@@ -1,11 +1,13 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "core/robot_model.h"
 #include "daemon/qi_client.h"
+#include "validation/log/floor_motions.h"
 #include "validation/log/robot_log.h"
 
 namespace nao::app {
@@ -27,6 +29,9 @@ class RobotRecorder {
   /// 0 is the row before the commands begin to change.
   validation::LogRun play(std::size_t motion, int repeat);
 
+  /// A run of a standing or walking motion: StandInit by ALRobotPosture, then the motion.
+  validation::LogRun play(const validation::FloorMotion& motion, int repeat);
+
   /// What the robot does in the next `seconds`, whatever it is.
   validation::LogRun watch(double seconds);
 
@@ -43,7 +48,9 @@ class RobotRecorder {
   void ask(const char* method, const std::vector<rpc::Value>& arguments);
   double poll(validation::LogRun& run);
   void glideToRest();
-  daemon::QiClient::Ticket begin(std::size_t motion);
+  using Angles = std::function<JointArray<double>(double t)>;
+  daemon::QiClient::Ticket begin(const Angles& angles, double duration);
+  void record(validation::LogRun& run, const daemon::QiClient::Ticket& ticket, double duration);
 
   daemon::QiClient& client_;
   std::shared_ptr<const RobotModel> model_;
