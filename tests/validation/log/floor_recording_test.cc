@@ -31,10 +31,8 @@ TEST(FloorRecording, StandsThroughAllStandingMotions) {
     EXPECT_GT(low, 0.29) << run.motion;
     const bool squats = run.motion != "sway" && run.motion != "arms";
     EXPECT_EQ(low < z.front() - 0.008, squats) << run.motion;
-    for (const double tilt : *run.find("imu.ang.y")) ASSERT_LT(std::abs(tilt), 0.1) << run.motion;
-    // Both soles carry all the time: 5 kg on eight cells.
-    const Column& left = *run.find("fsr.L.fl");
-    EXPECT_EQ(left.size(), run.t.size());
+    const Column& pitch = *run.find("imu.ang.y");
+    for (const double angle : pitch) ASSERT_NEAR(angle, pitch.front(), 0.05) << run.motion;
   }
 }
 
