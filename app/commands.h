@@ -15,5 +15,6 @@ void addPlay(CLI::App& app);
 void addCheckData(CLI::App& app);
 void addConvert(CLI::App& app);
 void addRecord(CLI::App& app);
+void addCatalog(CLI::App& app);
 
 }  // namespace nao::app

@@ -48,6 +48,11 @@ EffectType jointZero();
 EffectType startPose();
 EffectType floorFriction();
 EffectType massSpread();
+EffectType integralGain();
+EffectType jointStop();
+EffectType cogging();
+EffectType cableSpring();
+EffectType torqueBias();
 
 const EffectCatalogue& standardEffects() {
   static const EffectCatalogue catalogue = [] {
@@ -97,6 +102,11 @@ const EffectCatalogue& standardEffects() {
     all.add(startPose());
     all.add(floorFriction());
     all.add(massSpread());
+    all.add(torqueBias());
+    all.add(cableSpring());
+    all.add(cogging());
+    all.add(jointStop());
+    all.add(integralGain());
     return all;
   }();
   return catalogue;

@@ -116,11 +116,6 @@ void addGear(std::vector<Cause>& all) {
   all.push_back(one("cable_spring", "stiffness", {0.5, -0.3},
                     "a cable or skin pulls {joint} back with {value}",
                     "the same motion with the base turned by 90 degrees"));
-  all.push_back(byGrid(shaped(shaped(one("cogging", "torque", {0.1, 0.3},
-                                         "{joint} cogs with {value}, periodic in its angle",
-                                         "a slow sweep over the whole range"),
-                                     "per_turn", {0, 6, -6}),
-                              "phase", {0, 1.57, 3.14, -1.57})));
   all.push_back(byGrid(part("joint_stop", "upper", {-0.1, -0.3, -0.6},
                             "{joint}'s upper stop is moved by {value}",
                             "a slow approach to the stop from inside")));

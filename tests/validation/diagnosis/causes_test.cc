@@ -1,0 +1,53 @@
+#include "validation/diagnosis/causes.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/config.h"
+#include "tests/validation/diagnosis/toy_joint.h"
+#include "validation/diagnosis/cause_list.h"
+
+namespace nao::validation {
+namespace {
+
+const Cause& cause(const std::string& id) {
+  for (const Cause& one : jointCauses()) {
+    if (one.id == id) return one;
+  }
+  throw InputError(id);
+}
+
+TEST(JointCauses, HaveNamesOfTheirOwnAndParametersOfTheirEffect) {
+  std::set<std::string> seen;
+  for (const Cause& one : jointCauses()) {
+    EXPECT_TRUE(seen.insert(one.id).second) << one.id;
+    const sim::EffectType* type = sim::standardEffects().find(one.effect);
+    ASSERT_NE(type, nullptr) << one.id;
+    for (const FreeNumber& number : one.free) {
+      EXPECT_TRUE(std::any_of(type->parameters.begin(), type->parameters.end(),
+                              [&](const sim::Parameter& p) { return p.name == number.parameter; }))
+          << one.id << " " << number.parameter;
+      EXPECT_FALSE(number.starts.empty()) << one.id;
+    }
+    EXPECT_FALSE(showCause(one.id).empty());
+  }
+}
+
+TEST(JointCauses, ShrinkWhatTheModelHasByNoMoreThanThereIs) {
+  const test::ToyJoint toy({}, 1, test::kToyNoise, 2, 1);
+  const Cause friction = boundedAt(cause("coulomb_friction"), toy, sim::standardEffects());
+  EXPECT_DOUBLE_EQ(friction.free[0].lower, -test::ToyLaws{}.coulomb);
+  EXPECT_NEAR(friction.spread, 0.1 / std::sqrt(3.0) * test::ToyLaws{}.coulomb, 1e-12);
+}
+
+TEST(JointCauses, BecomeSettingsThatDoNothingElse) {
+  const EffectSetting low = settingOf(cause("voltage_sag.drop"), {0.2});
+  EXPECT_DOUBLE_EQ(low.parameters.at("drop"), 0.2);
+  EXPECT_DOUBLE_EQ(low.parameters.at("slope"), 0);
+}
+
+TEST(CauseList, SaysWhatItDoesNotKnow) { EXPECT_THROW(showCause("gremlins"), InputError); }
+
+}  // namespace
+}  // namespace nao::validation
