@@ -78,16 +78,85 @@ double findStatedQuantum(const LogJoint& joint, const RobotModel* model) {
   return 0;
 }
 
-// Whether row i repeats the one before although the joint goes on, one way, in the `window` rows on
-// both sides of it.
-bool isRepeated(const Column& q, std::size_t i, std::size_t window, double quantum, bool& moving) {
-  constexpr double kSpeed = 3;   // steps per row: too fast to read the same twice
-  constexpr double kFar = 0.02;  // [rad] 13 steps of a 12 bit encoder, where its step is not known
-  const double least = std::max(kSpeed * static_cast<double>(window) * quantum, kFar);
-  if (i < window + 1 || i + window >= q.size()) return false;
-  const double before = q[i - 1] - q[i - 1 - window], after = q[i + window] - q[i];
-  moving = std::abs(before) >= least && std::abs(after) >= least && before * after > 0;
-  return moving && q[i] == q[i - 1];
+// Rows of one joint in which it moves, and those of them that repeat a reading. A joint that pauses
+// slows down and sets off again; one whose reading is repeated stops from full speed and then
+// jumps.
+class RepeatFinder {
+ public:
+  RepeatFinder(const Column& q, std::size_t window, double quantum)
+      : q_(q),
+        window_(window),
+        least_(std::max(kSpeed * static_cast<double>(window) * quantum, kFar)) {}
+
+  // On both sides of row i, one way, too fast to read the same twice.
+  bool moves(std::size_t i) const {
+    if (i < window_ + 1 || i + window_ >= q_.size()) return false;
+    const double before = q_[i - 1] - q_[i - 1 - window_], after = q_[i + window_] - q_[i];
+    return std::abs(before) >= least_ && std::abs(after) >= least_ && before * after > 0;
+  }
+
+  // How many rows from i on repeat row i - 1, if i is the first that does; else 0.
+  std::size_t countRepeats(std::size_t i) const {
+    constexpr double kFullSpeed = 0.8;            // of the mean speed about row i, at least
+    constexpr double kShort = 0.65, kLong = 1.4;  // of what the joint went on by meanwhile
+    if (i < 2 || q_[i] != q_[i - 1] || q_[i - 1] == q_[i - 2] || !moves(i)) return 0;
+    std::size_t last = i;
+    while (last + 1 < q_.size() && q_[last + 1] == q_[i]) ++last;
+    if (last + 1 >= q_.size()) return 0;
+    const double rows = static_cast<double>(2 * window_ + 1);
+    const double mean = (q_[i + window_] - q_[i - 1 - window_]) / rows;
+    const double count = static_cast<double>(last - i + 1);
+    const double stop = (q_[i - 1] - q_[i - 2]) / mean;
+    const double jump = (q_[last + 1] - q_[last]) / mean / (count + 1);
+    return stop > kFullSpeed && jump > kShort && jump < kLong ? last - i + 1 : 0;
+  }
+
+ private:
+  static constexpr double kSpeed = 3;   // steps of the encoder per row
+  static constexpr double kFar = 0.02;  // [rad] 13 steps of 12 bit, where the step is not known
+  const Column& q_;
+  std::size_t window_;
+  double least_;
+};
+
+std::size_t calcWindow(const LogSet& set) {
+  constexpr double kWindow = 0.04;  // [s] looked at on either side, and at least four rows
+  return std::max<std::size_t>(4, static_cast<std::size_t>(kWindow * set.rate + 0.5));
+}
+
+// Rows that did not arrive: every joint in motion repeats its reading at once. Rare ones show too,
+// because nothing else does that to several joints.
+bool checkWholeRows(const LogSet& set, const Quanta& quanta, FaultLog& log) {
+  constexpr int kSeveral = 4;        // joints in motion that a row must have to tell anything
+  constexpr double kPart = 0.0016;   // of such rows; held commands give 0.1 %
+  constexpr std::size_t kLeast = 3;  // rows
+  std::size_t all = 0, repeated = 0, row = 0;
+  std::string file;
+  for (const LogRun& run : set.runs) {
+    std::vector<int> moving(run.t.size(), 0), repeats(run.t.size(), 0);
+    for (const LogJoint& joint : set.joints) {
+      const Column* q = run.find("q." + joint.name);
+      if (!q) continue;
+      const RepeatFinder finder(*q, calcWindow(set), quanta.at(joint.name));
+      for (std::size_t i = 1; i < q->size(); ++i) {
+        moving[i] += finder.moves(i);
+        repeats[i] += finder.moves(i) && (*q)[i] == (*q)[i - 1];
+      }
+    }
+    for (std::size_t i = 1; i < run.t.size(); ++i) {
+      if (moving[i] < kSeveral) continue;
+      ++all;
+      if (repeats[i] < moving[i]) continue;
+      if (repeated++ == 0) file = run.file, row = rowOf(i);
+    }
+  }
+  const bool fault =
+      repeated >= kLeast && static_cast<double>(repeated) >= kPart * static_cast<double>(all);
+  if (!fault) return false;
+  log.add({DataFaultKind::Duplicates, false, file, "", "", row,
+           "all joints in motion repeat the reading before, in " + std::to_string(repeated) +
+               " of " + std::to_string(all) + " such rows of the set"});
+  return true;
 }
 
 double calcRange(const Column* values) {
@@ -144,22 +213,21 @@ void checkQuanta(const LogSet& set, const RobotModel* model, const Quanta& quant
 }
 
 void checkDuplicates(const LogSet& set, const Quanta& quanta, FaultLog& log) {
-  constexpr double kPart = 0.005;    // of the rows in motion; below, a chance meeting
+  if (checkWholeRows(set, quanta, log)) return;
+  constexpr double kPart = 0.01;     // of the rows in motion; a staircase of commands gives 0.7 %
   constexpr std::size_t kLeast = 3;  // rows
-  constexpr double kWindow = 0.04;   // [s] looked at on either side, and at least four rows
-  const auto window = std::max<std::size_t>(4, static_cast<std::size_t>(kWindow * set.rate + 0.5));
   for (const LogJoint& joint : set.joints) {
-    const auto quantum = quanta.find(joint.name);
     std::size_t all = 0, repeated = 0, row = 0;
     std::string file;
     for (const LogRun& run : set.runs) {
       const Column* q = run.find("q." + joint.name);
-      for (std::size_t i = 1; q != nullptr && i < q->size(); ++i) {
-        bool moving = false;
-        const bool same = isRepeated(*q, i, window, quantum->second, moving);
-        all += moving;
-        repeated += same;
-        if (same && file.empty()) file = run.file, row = rowOf(i);
+      if (!q) continue;
+      const RepeatFinder finder(*q, calcWindow(set), quanta.at(joint.name));
+      for (std::size_t i = 1; i < q->size(); ++i) {
+        const std::size_t count = finder.countRepeats(i);
+        all += finder.moves(i);
+        repeated += count;
+        if (count > 0 && file.empty()) file = run.file, row = rowOf(i);
       }
     }
     if (repeated < kLeast || static_cast<double>(repeated) < kPart * static_cast<double>(all)) {

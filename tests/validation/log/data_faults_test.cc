@@ -296,6 +296,21 @@ TEST(SimulatedData, HaveNoFaults) {
   EXPECT_FALSE(anyFault(found)) << found.back().sentence;
 }
 
+// A held command makes a staircase of pauses, which are no repeated readings.
+TEST(SimulatedData, HaveNoFaultsBecauseOfACause) {
+  RecordingPlan plan;
+  const auto model = test::robot("nao_h21_v33");
+  plan.model = std::make_shared<RobotModel>(stripped(suspend(*model)));
+  plan.motions = standardRecording(plan.model);
+  plan.repeats = 1;
+  plan.step = std::chrono::milliseconds(2);
+  for (const char* cause : {"command_hold", "backlash", "torque_limit"}) {
+    plan.extra = {{"process_noise", {}, {}, ""}, {cause, {}, {}, ""}};
+    const std::vector<DataFault> found = findDataFaults(recordSimulated(plan), model.get());
+    EXPECT_FALSE(anyFault(found)) << cause << ": " << found.front().sentence;
+  }
+}
+
 TEST(SimulatedData, TellDroppedReadings) {
   RecordingPlan plan;
   const auto model = test::robot("nao_h21_v33");
