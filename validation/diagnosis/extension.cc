@@ -1,0 +1,155 @@
+#include "validation/diagnosis/extension.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "core/config.h"
+#include "sim/effects/catalogue.h"
+#include "validation/diagnosis/merge_effects.h"
+
+namespace nao::validation {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Takes effects out of a report, one finding after the other.
+class Acceptance {
+ public:
+  Acceptance(std::string file, const std::vector<std::string>& accept, const RobotModel& model)
+      : file_(std::move(file)), wanted_(accept.begin(), accept.end()), model_(model) {}
+
+  void takeFrom(const Json& finding, const std::vector<Joint>& joints) {
+    held_.insert(finding.at("cause").get<std::string>());
+    if (wants(finding)) return take(finding, joints);
+    for (const Json& rival : finding.at("rivals")) {
+      held_.insert(rival.at("cause").get<std::string>());
+      if (wanted_.count(rival.at("cause")) > 0) return take(rival, joints);
+    }
+  }
+
+  std::vector<EffectSetting> finish() {
+    for (const std::string& id : wanted_) {
+      if (held_.count(id) == 0) {
+        throw InputError("--accept " + id + ": expected a cause of " + file_ +
+                         ", one of: " + list(held_));
+      }
+    }
+    if (settings_.empty()) {
+      throw InputError(file_ + ": names no cause without a rival" +
+                       (held_.empty() ? "" : "; expected --accept with one of: " + list(held_)));
+    }
+    return std::move(settings_);
+  }
+
+ private:
+  bool wants(const Json& finding) const {
+    if (!wanted_.empty()) return wanted_.count(finding.at("cause")) > 0;
+    return finding.at("rivals").empty() && !finding.value("below_size_of_interest", false);
+  }
+
+  // A report gives the numbers that were fitted; what was not is as if switched off.
+  void take(const Json& cause, const std::vector<Joint>& joints) {
+    EffectSetting setting;
+    const std::string id = cause.at("cause");
+    setting.name = cause.value("effect", id.substr(0, id.find('.')));
+    setting.joints = joints;
+    setting.place = file_;
+    const sim::EffectType* type = sim::standardEffects().find(setting.name);
+    if (type == nullptr) throw InputError(file_ + ": unknown effect '" + setting.name + "'");
+    for (const sim::Parameter& p : type->parameters) setting.parameters[p.name] = p.neutral;
+    for (const Json& number : cause.at("numbers")) {
+      setting.parameters.at(number.at("parameter")) = number.at("value");
+    }
+    settings_.push_back(std::move(setting));
+  }
+
+  static std::string list(const std::set<std::string>& ids) {
+    std::string all;
+    for (const std::string& id : ids) all += (all.empty() ? "" : ", ") + id;
+    return all;
+  }
+
+  std::string file_;
+  std::set<std::string> wanted_, held_;
+  const RobotModel& model_;
+  std::vector<EffectSetting> settings_;
+};
+
+Json readReport(const std::string& file) {
+  std::ifstream in(file);
+  if (!in) throw InputError(file + ": can not be read, expected the report.json of a diagnosis");
+  return Json::parse(in);
+}
+
+Joint jointOf(const std::string& name, const std::string& file, const RobotModel& model) {
+  const auto joint = model.findJoint(name);
+  if (!joint) throw InputError(file + ": robot '" + model.name + "' has no joint '" + name + "'");
+  return *joint;
+}
+
+std::string number(double value) {
+  std::ostringstream text;
+  text << std::setprecision(9) << value;
+  return text.str();
+}
+
+std::string lineOf(const EffectSetting& setting, const RobotModel& model) {
+  std::string line = "  - {effect: " + setting.name;
+  for (const auto& [name, value] : setting.parameters) line += ", " + name + ": " + number(value);
+  if (!setting.joints.empty()) {
+    line += ", joints: [";
+    for (const Joint joint : setting.joints) {
+      line += (line.back() == '[' ? "" : ", ") + model.actuators[index(joint)].name;
+    }
+    line += "]";
+  }
+  return line + "}\n";
+}
+
+}  // namespace
+
+std::vector<EffectSetting> acceptedEffects(const std::string& report_file,
+                                           const std::vector<std::string>& accept,
+                                           const RobotModel& model) {
+  Acceptance acceptance(report_file, accept, model);
+  try {
+    const Json report = readReport(report_file);
+    for (const Json& finding : report.at("shared")) acceptance.takeFrom(finding, {});
+    for (const Json& joint : report.at("joints")) {
+      const Joint place = jointOf(joint.at("joint"), report_file, model);
+      for (const Json& finding : joint.at("findings")) acceptance.takeFrom(finding, {place});
+    }
+  } catch (const Json::exception& error) {
+    throw InputError(report_file + ": expected the report.json of a diagnosis: " + error.what());
+  }
+  return acceptance.finish();
+}
+
+std::string writeExtendedRobot(const std::string& robots_dir, const std::string& name,
+                               const RobotModel& model, const std::vector<EffectSetting>& causes,
+                               const std::string& origin) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(robots_dir) / name;
+  if (name.empty() || fs::path(name).has_parent_path() || name[0] == '.') {
+    throw InputError("'" + name + "': expected the name of a new robot, without a folder");
+  }
+  if (fs::exists(folder)) throw InputError(folder.string() + ": there is such a robot already");
+  std::error_code failed;
+  fs::create_directory(folder, failed);
+  const std::string file = (folder / "body.yaml").string();
+  std::ofstream out(file);
+  out << "# " << model.name << ", extended by what measured data showed.\n# " << origin << "\n"
+      << "like: " << model.name << "\n\neffects:\n";
+  for (const EffectSetting& setting : mergedEffects(model, causes, sim::standardEffects())) {
+    out << lineOf(setting, model);
+  }
+  if (!out.flush()) throw InputError(file + ": can not be written");
+  return file;
+}
+
+}  // namespace nao::validation

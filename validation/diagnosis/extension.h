@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/robot_model.h"
+
+namespace nao::validation {
+
+/// The effects that a diagnosis found, as they stand in its report.json: those of all joints first,
+/// then joint by joint. With `accept` empty: what is named alone. Else the causes of these ids,
+/// rivals of the named ones included. Places name the report.
+/// @throws InputError for a report that is not one, a robot it does not fit, an id it does not
+/// hold, and for a report of which nothing can be accepted.
+std::vector<EffectSetting> acceptedEffects(const std::string& report_file,
+                                           const std::vector<std::string>& accept,
+                                           const RobotModel& model);
+
+/// Writes the robot `name` beside `model` in `robots_dir`: like that one, with `causes` on top of
+/// its effects. Returns the file. `origin`: where they come from, for the file's head.
+/// @throws InputError if there is a robot of that name, or the file can not be written.
+std::string writeExtendedRobot(const std::string& robots_dir, const std::string& name,
+                               const RobotModel& model, const std::vector<EffectSetting>& causes,
+                               const std::string& origin);
+
+}  // namespace nao::validation
