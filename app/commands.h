@@ -16,5 +16,6 @@ void addCheckData(CLI::App& app);
 void addConvert(CLI::App& app);
 void addRecord(CLI::App& app);
 void addCatalog(CLI::App& app);
+void addExtend(CLI::App& app);
 
 }  // namespace nao::app

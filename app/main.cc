@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
   nao::app::addConvert(app);
   nao::app::addRecord(app);
   nao::app::addCatalog(app);
+  nao::app::addExtend(app);
   try {
     app.parse(argc, argv);
     return 0;

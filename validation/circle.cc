@@ -71,14 +71,14 @@ Circle walkCircle(const ExperimentSettings& settings, int run, Report& report) {
 Picture plot(const std::vector<Circle>& circles) {
   Panel panel = makePanel("Seen from above", "ahead [m]", "to the side of the circle [m]");
   for (const Circle& circle : circles) {
-    Series way{"", {}, {}, Look::Line, Ink::Blue};
+    Series way{"", {}, {}, Stroke::Line, Ink::Blue};
     for (const TrialPoint& point : circle.path) {
       way.x.push_back(point.truth.x);
       way.y.push_back(circle.side * point.truth.y);
     }
     panel.series.push_back(std::move(way));
   }
-  Series wanted{"radius 0.60 m", {}, {}, Look::Dashed, Ink::Orange};
+  Series wanted{"radius 0.60 m", {}, {}, Stroke::Dashed, Ink::Orange};
   for (int i = 0; i <= 90; ++i) {
     const double angle = i * 2 * M_PI / 90;
     wanted.x.push_back(kRadius * std::sin(angle));

@@ -70,7 +70,7 @@ Picture plot(const std::vector<Result>& results) {
       Series way{&path == &results[i].paths.front() ? results[i].way : "",
                  {},
                  {},
-                 Look::Line,
+                 Stroke::Line,
                  inks[i % 5]};
       for (const TrialPoint& point : path) {
         way.x.push_back(point.truth.x);

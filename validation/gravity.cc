@@ -213,11 +213,11 @@ void Gravity::plot() {
   for (std::size_t i = 0; i < kSettings.size(); ++i) {
     const std::vector<double> x(kDistance_uu.begin(), kDistance_uu.end());
     const Distances& thesis = kSettings[i].thesis;
-    table.series.push_back({kSettings[i].name, x, corrections_[i], Look::LinePoints, inks[i]});
+    table.series.push_back({kSettings[i].name, x, corrections_[i], Stroke::LinePoints, inks[i]});
     table.series.push_back({i + 1 == kSettings.size() ? "thesis, table 1" : "",
                             x,
                             {thesis.begin(), thesis.end()},
-                            Look::Points,
+                            Stroke::Points,
                             Ink::Thesis});
   }
   Panel order;
@@ -229,8 +229,8 @@ void Gravity::plot() {
   order.key = "top left";
   std::vector<double> slope;
   for (const double step : implicit_x_) slope.push_back(implicit_error_[0] * step);
-  order.series = {{"implicit", implicit_x_, implicit_error_, Look::LinePoints, Ink::Blue},
-                  {"in proportion to the step", implicit_x_, slope, Look::Dashed, Ink::Orange}};
+  order.series = {{"implicit", implicit_x_, implicit_error_, Stroke::LinePoints, Ink::Blue},
+                  {"in proportion to the step", implicit_x_, slope, Stroke::Dashed, Ink::Orange}};
   outcome_.picture = {"Gravity (thesis section 5.2.1)", {table, order}, 1, 900, 900};
 }
 

@@ -263,18 +263,19 @@ class HeadYaw {
     Panel ours = makePanel("Ours: the same at 0, 2, 5, 25, 50 and 60 frames per second", "time [s]",
                            "HeadYaw [deg]");
     const Curve& command = first_.command;
-    ours.series = {
-        {"command", command.t, command.angle_deg, Look::Line, Ink::Sky},
-        {"joint", first_.truth.t, first_.truth.angle_deg, Look::Line, Ink::Vermilion},
-        {"client, every 10 ms", first_.client.t, first_.client.angle_deg, Look::Steps, Ink::Green},
-        {"client, every 100 ms", slow_client_.t, slow_client_.angle_deg, Look::Steps, Ink::Black}};
+    ours.series = {{"command", command.t, command.angle_deg, Stroke::Line, Ink::Sky},
+                   {"joint", first_.truth.t, first_.truth.angle_deg, Stroke::Line, Ink::Vermilion},
+                   {"client, every 10 ms", first_.client.t, first_.client.angle_deg, Stroke::Steps,
+                    Ink::Green},
+                   {"client, every 100 ms", slow_client_.t, slow_client_.angle_deg, Stroke::Steps,
+                    Ink::Black}};
     Panel theirs = makePanel("Commands and angles once per frame, as in USARSim (thesis figure 25)",
                              "time [s]", "HeadYaw [deg]");
     const Ink inks[] = {Ink::Purple, Ink::Vermilion, Ink::Orange, Ink::Green};
-    theirs.series = {{"command", command.t, command.angle_deg, Look::Line, Ink::Sky}};
+    theirs.series = {{"command", command.t, command.angle_deg, Stroke::Line, Ink::Sky}};
     for (std::size_t i = 0; i < usarsim_.size(); ++i) {
       theirs.series.push_back({std::to_string(usarsim_rates_[i]) + " frames/s", usarsim_[i].t,
-                               usarsim_[i].angle_deg, Look::Line, inks[i]});
+                               usarsim_[i].angle_deg, Stroke::Line, inks[i]});
     }
     return {"Frame rate and status interval (thesis section 5.3.3)", {ours, theirs}, 1, 900, 900};
   }

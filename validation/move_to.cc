@@ -60,8 +60,8 @@ Arrival walkThere(const ExperimentSettings& settings, int run, Report& report) {
 
 Picture plot(const std::vector<Arrival>& arrivals) {
   Panel panel = makePanel("Targets and places", "ahead [m]", "to the left [m]");
-  Series targets{"target", {}, {}, Look::Points, Ink::Orange};
-  Series truth{"where it stood", {}, {}, Look::Points, Ink::Blue};
+  Series targets{"target", {}, {}, Stroke::Points, Ink::Orange};
+  Series truth{"where it stood", {}, {}, Stroke::Points, Ink::Blue};
   for (const Arrival& arrival : arrivals) {
     targets.x.push_back(arrival.target.x);
     targets.y.push_back(arrival.target.y);
@@ -70,7 +70,7 @@ Picture plot(const std::vector<Arrival>& arrivals) {
     panel.series.push_back({"",
                             {arrival.target.x, arrival.truth.x},
                             {arrival.target.y, arrival.truth.y},
-                            Look::Line,
+                            Stroke::Line,
                             Ink::Thesis});
   }
   panel.series.push_back(std::move(targets));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "validation/html.h"
 #include "validation/play_report.h"
 #include "validation/png.h"
 
@@ -11,49 +12,6 @@ namespace {
 
 constexpr double kDegree = M_PI / 180;
 constexpr std::size_t kMostPoints = 400;  // of a curve: more than a picture has columns for it
-
-constexpr const char* kStyle =
-    "body{font:15px/1.45 sans-serif;max-width:960px;margin:2em auto;padding:0 1em;color:#222}"
-    "table{border-collapse:collapse;margin:1em 0}td,th{padding:2px 10px;text-align:left;"
-    "border-bottom:1px solid #ddd}.stills{display:flex;flex-wrap:wrap;gap:6px}"
-    "figure{margin:0}figcaption{font-size:12px;color:#666}svg{max-width:100%;height:auto}";
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
-
-std::string lineOf(const std::vector<std::string>& cells, const char* tag) {
-  std::string out = "<tr>";
-  for (const std::string& cell : cells) {
-    out += std::string("<") + tag + ">" + escaped(cell) + "</" + tag + ">";
-  }
-  return out + "</tr>\n";
-}
-
-std::string tableOf(const TextTable& table) {
-  std::string out = "<h2>" + escaped(table.title) + "</h2>\n<table>" + lineOf(table.head, "th");
-  for (const auto& line : table.lines) out += lineOf(line, "td");
-  return out + "</table>\n";
-}
 
 std::string faultsOf(const RobotModel& model, const Played& played) {
   if (played.faults.empty()) return "<p>No faults.</p>\n";
@@ -65,7 +23,7 @@ std::string faultsOf(const RobotModel& model, const Played& played) {
         {nameOf(fault.kind), fault.joint ? model.actuators[index(*fault.joint)].name : "",
          fixed(fault.time, 2), fixed(fault.until, 2), fixed(fault.frame, 1), fault.text});
   }
-  return tableOf(table);
+  return toHtml(table);
 }
 
 std::string stillsOf(const std::vector<Still>& stills) {
@@ -111,15 +69,14 @@ std::string plotsOf(const RobotModel& model, const Played& played) {
 std::string playPage(const RobotModel& model, const Report& report, const Played& played,
                      const std::vector<Still>& stills) {
   const std::string title = report.remarks.empty() ? "Motion" : report.remarks.back();
-  std::string page = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" +
-                     escaped(title) + "</title><style>" + kStyle + "</style></head><body>\n<h1>" +
-                     escaped(report.robot) + "</h1>\n<p>" + escaped(title) + "</p>\n";
+  std::string page =
+      "<h1>" + escapeHtml(report.robot) + "</h1>\n<p>" + escapeHtml(title) + "</p>\n";
   page += stillsOf(stills) + faultsOf(model, played);
   for (const std::string& remark : report.remarks) {
-    if (remark.rfind("left out: ", 0) == 0) page += "<p>" + escaped(remark) + "</p>\n";
+    if (remark.rfind("left out: ", 0) == 0) page += "<p>" + escapeHtml(remark) + "</p>\n";
   }
-  for (const TextTable& table : report.tables) page += tableOf(table);
-  return page + plotsOf(model, played) + "</body></html>\n";
+  for (const TextTable& table : report.tables) page += toHtml(table);
+  return htmlPage(title, page + plotsOf(model, played));
 }
 
 }  // namespace nao::validation

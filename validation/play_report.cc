@@ -154,8 +154,8 @@ Picture drawTracking(const RobotModel& model, const Played& played, const std::s
     if (!joint || model.actuators[index(*joint)].coordinates.empty()) continue;
     if (tracks.time.empty() || !done.insert(index(*joint)).second) continue;
     Panel panel = makePanel(name, "time [s]", "angle [deg]");
-    Series asked{"asked", {}, {}, Look::Line, Ink::Orange};
-    Series sensed{"sensed", {}, {}, Look::Line, Ink::Blue};
+    Series asked{"asked", {}, {}, Stroke::Line, Ink::Orange};
+    Series sensed{"sensed", {}, {}, Stroke::Line, Ink::Blue};
     for (std::size_t i = 0; i < tracks.time.size(); i += stride) {
       asked.x.push_back(tracks.time[i]);
       asked.y.push_back(tracks.asked[index(*joint)][i] / kDegree);

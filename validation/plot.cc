@@ -47,18 +47,18 @@ std::string styleOf(const Series& series) {
   const std::string color = std::string(" lc rgb '") + colorOf(series.ink) + "'";
   const std::string point =
       series.ink == Ink::Thesis ? " pt 6 ps 1.1 lw 1.8" : " pt 7 ps 0.7 lw 1.8";
-  switch (series.look) {
-    case Look::Line:
+  switch (series.stroke) {
+    case Stroke::Line:
       return "lines lw 2" + color;
-    case Look::Dashed:
+    case Stroke::Dashed:
       return "lines lw 2 dt (8,5)" + color;
-    case Look::Points:
+    case Stroke::Points:
       return "points" + point + color;
-    case Look::LinePoints:
+    case Stroke::LinePoints:
       return "linespoints" + point + color;
-    case Look::Steps:
+    case Stroke::Steps:
       return "steps lw 1.6" + color;
-    case Look::Bars:
+    case Stroke::Bars:
       return "boxes fs solid 0.85 noborder" + color;
   }
   return "lines";

@@ -7,7 +7,7 @@
 namespace nao::validation {
 
 /// How a curve is drawn.
-enum class Look { Line, Dashed, Points, LinePoints, Steps, Bars };
+enum class Stroke { Line, Dashed, Points, LinePoints, Steps, Bars };
 
 /// Colours that people who confuse red and green still tell apart (Okabe and Ito, 2008). What the
 /// thesis measured is always grey.
@@ -17,7 +17,7 @@ struct Series {
   std::string label;  // in the key; empty: not in the key
   std::vector<double> x;
   std::vector<double> y;
-  Look look = Look::Line;
+  Stroke stroke = Stroke::Line;
   Ink ink = Ink::Blue;
 };
 

@@ -118,7 +118,7 @@ Picture plot(const std::vector<std::string>& names, const std::vector<Pair>& pai
   panel.categories = names;
   panel.key = "outside";
   for (std::size_t i = 0; i < names.size(); ++i) {
-    Series series{names[i], {}, {}, Look::Points, kInks[i % kInks.size()]};
+    Series series{names[i], {}, {}, Stroke::Points, kInks[i % kInks.size()]};
     for (const Pair& pair : pairs) {
       if (pair.from != names[i] || pair.seconds.empty()) continue;
       const auto to = std::find(names.begin(), names.end(), pair.to) - names.begin();

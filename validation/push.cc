@@ -136,7 +136,7 @@ Found examine(const ExperimentSettings& settings, const Gait& gait) {
 
 Panel plotRows(const std::vector<Found>& all, bool falls) {
   Panel panel = makePanel("", "", falls ? "falls" : "strongest push survived [N]");
-  Series bars{"", {}, {}, Look::Bars, Ink::Blue};
+  Series bars{"", {}, {}, Stroke::Bars, Ink::Blue};
   for (const Found& found : all) {
     for (std::size_t i = 0; i < kSides.size(); ++i) {
       bars.x.push_back(static_cast<double>(bars.x.size()));

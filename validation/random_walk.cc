@@ -85,7 +85,7 @@ LongWalk walkFar(const ExperimentSettings& settings) {
 Picture plot(const std::vector<Sequence>& sequences) {
   Panel panel = makePanel("Seen from above", "ahead [m]", "to the left [m]");
   for (const Sequence& sequence : sequences) {
-    Series way{"", {}, {}, Look::Line, sequence.fell ? Ink::Vermilion : Ink::Sky};
+    Series way{"", {}, {}, Stroke::Line, sequence.fell ? Ink::Vermilion : Ink::Sky};
     for (const TrialPoint& point : sequence.path) {
       way.x.push_back(point.truth.x);
       way.y.push_back(point.truth.y);

@@ -157,9 +157,9 @@ Panel plotSpeed(const std::vector<Load>& loads) {
   panel.log_x = panel.log_y = true;
   panel.x_ticks = n;
   panel.y_range = {0.5, 1000};
-  panel.series = {{"standing", n, standing, Look::LinePoints, Ink::Sky},
-                  {"walking", n, walking, Look::LinePoints, Ink::Blue},
-                  {"real time", {n.front(), n.back()}, {1, 1}, Look::Dashed, Ink::Black}};
+  panel.series = {{"standing", n, standing, Stroke::LinePoints, Ink::Sky},
+                  {"walking", n, walking, Stroke::LinePoints, Ink::Blue},
+                  {"real time", {n.front(), n.back()}, {1, 1}, Stroke::Dashed, Ink::Black}};
   return panel;
 }
 
@@ -176,15 +176,15 @@ Panel plotGrowth(const std::vector<Load>& loads) {
   panel.y_range = {0, 4.5};
   panel.key = "top right";
   panel.series = {
-      {"ours, walking", n, ours, Look::LinePoints, Ink::Blue},
-      {"thesis, standing", thesis_n, thesisGrowth(kThesisBase), Look::Dashed, Ink::Thesis},
-      {"thesis, playing", thesis_n, thesisGrowth(kThesisPlay), Look::LinePoints, Ink::Thesis}};
+      {"ours, walking", n, ours, Stroke::LinePoints, Ink::Blue},
+      {"thesis, standing", thesis_n, thesisGrowth(kThesisBase), Stroke::Dashed, Ink::Thesis},
+      {"thesis, playing", thesis_n, thesisGrowth(kThesisPlay), Stroke::LinePoints, Ink::Thesis}};
   return panel;
 }
 
 Panel plotParts(const std::vector<Profiler::Part>& parts) {
   Panel panel = makePanel("Where the time goes: four robots walking", "", "µs per robot and step");
-  Series bars{"", {}, {}, Look::Bars, Ink::Green};
+  Series bars{"", {}, {}, Stroke::Bars, Ink::Green};
   for (const Profiler::Part& part : parts) {
     bars.x.push_back(static_cast<double>(bars.x.size()));
     bars.y.push_back(part.seconds);

@@ -79,8 +79,8 @@ double findSteepest(const std::vector<Case>& all) {
 
 Picture plot(const std::vector<Case>& all) {
   Panel panel = makePanel("Falls", "slope [deg]", "falls");
-  Series along{"up and down", {}, {}, Look::LinePoints, Ink::Blue};
-  Series across{"across", {}, {}, Look::LinePoints, Ink::Orange};
+  Series along{"up and down", {}, {}, Stroke::LinePoints, Ink::Blue};
+  Series across{"across", {}, {}, Stroke::LinePoints, Ink::Orange};
   for (const Case& test : all) {
     if (test.conditions.friction != 0 || test.conditions.mass_difference != 0) continue;
     Series& series = test.name == "across" ? across : along;

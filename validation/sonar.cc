@@ -189,13 +189,13 @@ Picture plot(const std::vector<Readings>& all) {
   const Ink inks[] = {Ink::Blue, Ink::Green, Ink::Purple, Ink::Vermilion};
   for (std::size_t i = 0; i < all.size(); ++i) {
     panel.series.push_back(
-        {all[i].name, all[i].expected, all[i].error_mm, Look::Points, inks[i % 4]});
+        {all[i].name, all[i].expected, all[i].error_mm, Stroke::Points, inks[i % 4]});
   }
   for (const double bar : {-10.0, 10.0}) {
     panel.series.push_back({bar > 0 ? "1 cm" : "",
                             {kDistances.front(), kDistances.back()},
                             {bar, bar},
-                            Look::Dashed,
+                            Stroke::Dashed,
                             Ink::Black});
   }
   panel.key = "outside";

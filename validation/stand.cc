@@ -80,8 +80,8 @@ Picture plot(const std::vector<std::pair<std::string, Standing>>& all) {
     const auto& [name, s] = all[i];
     std::vector<double> drift_mm;
     for (const double d : s.drift) drift_mm.push_back(d * 1e3);
-    drift.series.push_back({name, s.t, drift_mm, Look::Line, inks[i % 2]});
-    tilt.series.push_back({name, s.t, s.tilt, Look::Line, inks[i % 2]});
+    drift.series.push_back({name, s.t, drift_mm, Stroke::Line, inks[i % 2]});
+    tilt.series.push_back({name, s.t, s.tilt, Stroke::Line, inks[i % 2]});
   }
   drift.key = tilt.key = "top right";
   return {"Standing still", {drift, tilt}, 1, 900, 700};

@@ -108,8 +108,8 @@ Picture plot(const std::vector<Found>& all) {
   Picture picture{"Standing up", {}, 2, 1200, 800};
   for (const Found& found : all) {
     Panel panel = makePanel("from the " + found.side, "friction of the floor", "time [s]");
-    Series up{"stands", {}, {}, Look::Points, Ink::Blue};
-    Series down{"does not", {}, {}, Look::Points, Ink::Vermilion};
+    Series up{"stands", {}, {}, Stroke::Points, Ink::Blue};
+    Series down{"does not", {}, {}, Stroke::Points, Ink::Vermilion};
     for (const Run& run : found.runs) {
       Series& series = run.arrival.there ? up : down;
       series.x.push_back(run.friction);

@@ -123,8 +123,8 @@ Picture plot(const std::vector<Summary>& all, int runs) {
     const std::string label = fixed(toSeconds(all[i].step) * 1e3, 0) + " ms";
     std::vector<double> depth_mm;
     for (const double d : all[i].penetration) depth_mm.push_back(d * 1e3);
-    depth.series.push_back({label, number, depth_mm, Look::LinePoints, inks[i % 3]});
-    speed.series.push_back({label, number, all[i].speed, Look::LinePoints, inks[i % 3]});
+    depth.series.push_back({label, number, depth_mm, Stroke::LinePoints, inks[i % 3]});
+    speed.series.push_back({label, number, all[i].speed, Stroke::LinePoints, inks[i % 3]});
   }
   depth.key = speed.key = "outside";
   return {"Random commands over the full range", {depth, speed}, 1, 900, 700};

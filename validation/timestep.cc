@@ -78,13 +78,13 @@ Picture plot(const Sweep& found, double sag_deg) {
   panel.y_range = {0, 3.2};
   panel.key = "top right";
   panel.series = {
-      {"ours", rate, found.sag_deg, Look::LinePoints, Ink::Blue},
+      {"ours", rate, found.sag_deg, Stroke::LinePoints, Ink::Blue},
       {"torque / stiffness",
        {rate.front(), rate.back()},
        {sag_deg, sag_deg},
-       Look::Dashed,
+       Stroke::Dashed,
        Ink::Orange},
-      {"thesis: 1/50 s, 8 iterations", {50, 50}, {2, 3}, Look::LinePoints, Ink::Thesis}};
+      {"thesis: 1/50 s, 8 iterations", {50, 50}, {2, 3}, Stroke::LinePoints, Ink::Thesis}};
   return {"Time step (thesis section 5.2.2)", {panel}, 1, 900, 460};
 }
 

@@ -60,8 +60,8 @@ double countFalls(const std::vector<Walk>& walks) {
 }
 
 template <class X, class Y>
-Series curve(const Walk& walk, X x, Y y, Look look, Ink ink) {
-  Series series{"", {}, {}, look, ink};
+Series curve(const Walk& walk, X x, Y y, Stroke stroke, Ink ink) {
+  Series series{"", {}, {}, stroke, ink};
   for (const TrialPoint& point : walk.path) {
     series.x.push_back(x(point));
     series.y.push_back(y(point));
@@ -75,16 +75,16 @@ Picture plotWalks(const std::vector<Walk>& walks) {
   const auto t = [](const TrialPoint& p) { return p.t; };
   for (std::size_t i = 0; i < walks.size(); ++i) {
     way.series.push_back(curve(
-        walks[i], [](auto& p) { return p.truth.x; }, [](auto& p) { return p.truth.y; }, Look::Line,
-        Ink::Blue));
+        walks[i], [](auto& p) { return p.truth.x; }, [](auto& p) { return p.truth.y; },
+        Stroke::Line, Ink::Blue));
     far.series.push_back(curve(
-        walks[i], t, [](auto& p) { return p.truth.x; }, Look::Line, Ink::Blue));
+        walks[i], t, [](auto& p) { return p.truth.x; }, Stroke::Line, Ink::Blue));
   }
   way.series.push_back(curve(
       walks[0], [](auto& p) { return p.odometry.x; }, [](auto& p) { return p.odometry.y; },
-      Look::Dashed, Ink::Orange));
+      Stroke::Dashed, Ink::Orange));
   far.series.push_back(curve(
-      walks[0], t, [](auto& p) { return p.odometry.x; }, Look::Dashed, Ink::Orange));
+      walks[0], t, [](auto& p) { return p.odometry.x; }, Stroke::Dashed, Ink::Orange));
   for (Panel* panel : {&way, &far}) {
     panel->series.front().label = "where it was, each run";
     panel->series.back().label = "odometry";
@@ -122,13 +122,13 @@ Picture plotTurns(const std::vector<Walk>& left, const std::vector<Walk>& right)
   for (const auto* walks : {&left, &right}) {
     for (const Walk& walk : *walks) {
       panel.series.push_back(curve(
-          walk, t, [](auto& p) { return p.truth.theta / kDegree; }, Look::Line, Ink::Blue));
+          walk, t, [](auto& p) { return p.truth.theta / kDegree; }, Stroke::Line, Ink::Blue));
     }
   }
   panel.series.front().label = "where it looked, each run";
   for (const auto* walks : {&left, &right}) {
     panel.series.push_back(curve(
-        walks->front(), t, [](auto& p) { return p.odometry.theta / kDegree; }, Look::Dashed,
+        walks->front(), t, [](auto& p) { return p.odometry.theta / kDegree; }, Stroke::Dashed,
         Ink::Orange));
   }
   panel.series.back().label = "odometry";

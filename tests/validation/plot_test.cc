@@ -17,10 +17,10 @@ namespace fs = std::filesystem;
 
 Picture twoPanels() {
   Panel left = makePanel("It's a line", "time [s]", "angle [deg]");
-  left.series = {{"ours", {0, 1, 2}, {0, 1, 4}, Look::Line, Ink::Blue},
-                 {"thesis", {0, 2}, {0, 3}, Look::Points, Ink::Thesis}};
+  left.series = {{"ours", {0, 1, 2}, {0, 1, 4}, Stroke::Line, Ink::Blue},
+                 {"thesis", {0, 2}, {0, 3}, Stroke::Points, Ink::Thesis}};
   Panel right = makePanel("Parts", "", "time [us]");
-  right.series = {{"", {0, 1}, {3, 4}, Look::Bars, Ink::Green}};
+  right.series = {{"", {0, 1}, {3, 4}, Stroke::Bars, Ink::Green}};
   right.categories = {"physics", "sensors"};
   return {"Two panels", {left, right}, 2, 800, 400};
 }

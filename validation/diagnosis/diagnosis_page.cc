@@ -1,0 +1,157 @@
+#include "validation/diagnosis/diagnosis_page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "core/check.h"
+#include "validation/diagnosis/diagnosis_plots.h"
+#include "validation/html.h"
+
+namespace nao::validation {
+namespace {
+
+constexpr int kRuns = 16;  // simulated per mean that is shown; free choice
+const std::vector<Split> kSeen{Split::Fit, Split::Select};
+
+/// A joint with its errors before and after.
+struct Examined {
+  const JointVerdict* verdict;
+  const JointTask* task;
+  std::vector<EffectSetting> found;
+  JointReplay before, after;
+};
+
+std::string milli(double rad) { return fixed(1e3 * rad, 2); }
+
+bool isOfInterest(const Examined& joint) {
+  return joint.verdict->verdict != Verdict::NoDiscrepancy;
+}
+
+std::string gainText(const Examined& joint) {
+  return "error " + milli(joint.before.rmse) + " -> " + milli(joint.after.rmse) + " mrad, floor " +
+         milli(joint.before.floor);
+}
+
+// The verdict in words: what was found where, the largest error first.
+std::string headline(const SetDiagnosis& diagnosis, const std::vector<Examined>& joints) {
+  std::string text;
+  for (const SharedFinding& one : diagnosis.shared) text += one.finding.sentence + ". ";
+  for (const Examined& joint : joints) {
+    const std::vector<const Finding*> named = joint.verdict->named();
+    for (const Finding* finding : named) {
+      text += finding->sentence;
+      for (const Rival& rival : finding->rivals) text += ", or " + rival.cause;
+      text += finding == named.back() ? " (" + gainText(joint) + "). " : "; ";
+    }
+    const Verdict word = joint.verdict->verdict;
+    if (word == Verdict::Unknown || word == Verdict::PartlyExplained) {
+      text +=
+          joint.verdict->joint + " shows something that no cause of the catalogue explains" +
+          (joint.verdict->signature.empty() ? "" : "; it goes with " + joint.verdict->signature) +
+          ". ";
+    }
+  }
+  if (text.empty()) return "The model explains this set: what is left is noise.";
+  return text;
+}
+
+TextTable errorMap(const std::vector<Examined>& joints) {
+  TextTable table{"What is wrong, joint by joint (fit and select runs, mrad)",
+                  {"joint", "verdict", "nominal", "extended", "floor", "real SD", "simulated SD"},
+                  {}};
+  for (const Examined& joint : joints) {
+    table.lines.push_back({joint.verdict->joint, wordOf(joint.verdict->verdict),
+                           milli(joint.before.rmse), milli(joint.after.rmse),
+                           milli(joint.before.floor), milli(joint.before.real_sd),
+                           milli(joint.before.simulated_sd)});
+  }
+  return table;
+}
+
+TextTable findingsOf(const JointVerdict& joint) {
+  TextTable table{"Found, in this order",
+                  {"cause", "value", "90 % of the deviation", "gain [nats]", "folds", "rivals",
+                   "to tell them apart"},
+                  {}};
+  for (const Finding& finding : joint.findings) {
+    std::string values, intervals, rivals;
+    for (const FoundNumber& number : finding.numbers) {
+      FoundNumber low = number, high = number;
+      low.value = number.low;
+      high.value = number.high;
+      values += number.parameter + " " + valueText(number) + " ";
+      intervals += valueText(low) + " to " + valueText(high) + " ";
+    }
+    for (const Rival& rival : finding.rivals) rivals += rival.cause + " ";
+    if (finding.one_motion_only) rivals += "(seen in one motion only)";
+    table.lines.push_back(
+        {finding.cause + (finding.small ? " (too small to matter)" : ""), values, intervals,
+         fixed(finding.gain, 0),
+         std::to_string(finding.folds_better) + " of " + std::to_string(finding.folds), rivals,
+         finding.rivals.empty() ? "" : finding.experiment});
+  }
+  return table;
+}
+
+TextTable rejectedOf(const JointVerdict& joint) {
+  TextTable table{"Not taken", {"cause", "gain [nats]", "why"}, {}};
+  for (const Rejected& one : joint.rejected) {
+    table.lines.push_back({one.cause, fixed(one.gain, 1), one.reason});
+  }
+  for (const std::string& cause : joint.not_tried) {
+    table.lines.push_back({cause, "", "not tried: the budget was spent"});
+  }
+  return table;
+}
+
+std::string chapterOf(const Examined& joint) {
+  const JointVerdict& verdict = *joint.verdict;
+  std::string out = "<h1>" + escapeHtml(verdict.joint) + "</h1>\n";
+  if (!verdict.findings.empty()) out += toHtml(findingsOf(verdict));
+  out += drawSvg(drawCourse(worstCourse(*joint.task, joint.found, kRuns)));
+  if (!verdict.findings.empty() || !verdict.rejected.empty()) {
+    out += drawSvg(drawRanking(verdict));
+  }
+  out += "<p>What is left: " + fixed(verdict.misfit_after, 2) +
+         " of the noise floor (before: " + fixed(verdict.misfit_before, 2) + "), " +
+         fixed(verdict.remainder_score, 1) + " SD beyond null sets; a remainder is told from " +
+         fixed(verdict.remainder_critical, 1) + " on.</p>\n";
+  return out + toHtml(rejectedOf(verdict));
+}
+
+std::string originOf(const SetDiagnosis& diagnosis, const Provenance& provenance) {
+  return "<h2>Where this comes from</h2>\n<p>Set <code>" + escapeHtml(provenance.set) +
+         "</code>, model <code>" + escapeHtml(provenance.model) + "</code>, level " +
+         escapeHtml(provenance.level) + ". Threshold " + fixed(diagnosis.critical_gain, 1) +
+         " nats: the 99 % quantile, over all joints and causes, of " +
+         std::to_string(diagnosis.null_sets) + " null sets. " + std::to_string(diagnosis.runs) +
+         " simulated runs. Test runs were not opened. To repeat it:</p>\n<p><code>" +
+         escapeHtml(provenance.command) + "</code></p>\n";
+}
+
+}  // namespace
+
+std::string diagnosisPage(const SetDiagnosis& diagnosis, const std::vector<JointTask>& tasks,
+                          const Provenance& provenance) {
+  NAO_CHECK(tasks.size() == diagnosis.joints.size());
+  std::vector<Examined> joints;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    Examined one{
+        &diagnosis.joints[i], &tasks[i], foundEffects(diagnosis, diagnosis.joints[i]), {}, {}};
+    one.before = replayJoint(*tasks[i].joint, {}, tasks[i].noise, kRuns, kSeen);
+    one.after = replayJoint(*tasks[i].joint, one.found, tasks[i].noise, kRuns, kSeen);
+    joints.push_back(std::move(one));
+  }
+  std::stable_sort(joints.begin(), joints.end(), [](const Examined& a, const Examined& b) {
+    return a.before.rmse > b.before.rmse;
+  });
+  std::string body = "<p class=\"verdict\">" + escapeHtml(headline(diagnosis, joints)) + "</p>\n";
+  body += toHtml(errorMap(joints));
+  for (const Examined& joint : joints) {
+    if (isOfInterest(joint)) body += chapterOf(joint);
+  }
+  return htmlPage("Diagnosis of " + provenance.set, body + originOf(diagnosis, provenance));
+}
+
+}  // namespace nao::validation
