@@ -116,6 +116,26 @@ SetSeries resampleAll(const LogSet& set, double dt) {
   return all;
 }
 
+namespace {
+
+// Degrees make an encoder's step look coarse: one fault, told once.
+void dropConsequences(std::vector<DataFault>& faults) {
+  const auto in_degrees = [&faults](const DataFault& fault) {
+    return fault.kind == DataFaultKind::Quantum &&
+           std::any_of(faults.begin(), faults.end(), [&fault](const DataFault& other) {
+             return other.kind == DataFaultKind::Units &&
+                    (other.column == fault.column || other.column.empty());
+           });
+  };
+  std::vector<DataFault> kept;
+  for (const DataFault& fault : faults) {
+    if (!in_degrees(fault)) kept.push_back(fault);
+  }
+  faults = std::move(kept);
+}
+
+}  // namespace
+
 std::vector<DataFault> findDataFaults(const LogSet& set, const RobotModel* model) {
   FaultLog log;
   checkTimes(set, log);
@@ -131,7 +151,9 @@ std::vector<DataFault> findDataFaults(const LogSet& set, const RobotModel* model
   checkRepeats(set, series, dt, log);
   checkCopies(set, log);
   checkSplits(set, log);
-  return log.merge(set.joints.size());
+  std::vector<DataFault> faults = log.merge(set.joints.size());
+  dropConsequences(faults);
+  return faults;
 }
 
 bool anyFault(const std::vector<DataFault>& findings) {
