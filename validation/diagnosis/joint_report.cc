@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "validation/diagnosis/joint_search.h"
+#include "validation/diagnosis/signature.h"
 
 namespace nao::validation {
 namespace {
@@ -111,7 +112,10 @@ void JointSearch::judge(JointVerdict& verdict) {
   const std::vector<const Finding*> named = verdict.named();
   const bool ambiguous = std::any_of(named.begin(), named.end(),
                                      [](const Finding* one) { return !one->rivals.empty(); });
-  if (remains) doubt(verdict);
+  if (remains) {
+    doubt(verdict);
+    verdict.signature = signatureOf(data_, *stage_, causes_).text();
+  }
   if (ensemble_.spent() && (remains || !not_tried_.empty())) {
     verdict.verdict = Verdict::Unfinished;
   } else if (named.empty()) {

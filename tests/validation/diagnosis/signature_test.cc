@@ -1,0 +1,47 @@
+#include "validation/diagnosis/signature.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/validation/diagnosis/toy_joint.h"
+#include "validation/diagnosis/joint_search.h"
+
+namespace nao::validation {
+namespace {
+
+using test::ToyLaws;
+
+// The signature of a joint with laws that no cause here explains.
+std::string signature(const ToyLaws& truth) {
+  const test::ToyJoint toy(truth, 3);
+  std::vector<Cause> causes;
+  for (const Cause& cause : test::toyCauses()) {
+    if (cause.id == "viscous_friction") causes.push_back(cause);
+  }
+  JointSearch search(toy, test::kToyNoise, causes, {4, 8, 24, 40, 1, 1, 1}, 1000000);
+  search.begin();
+  return signatureOf(search.data(), search.stage(), search.causes()).text();
+}
+
+TEST(Signature, FindsTheRippleOfACoggingMotor) {
+  ToyLaws laws;
+  laws.cogging = 0.15;
+  laws.cogs = 18;
+  EXPECT_EQ(signature(laws).rfind("sin and cos of 18 q", 0), 0u) << signature(laws);
+}
+
+TEST(Signature, FindsAHumInTime) {
+  ToyLaws laws;
+  laws.hum = 0.1;
+  EXPECT_EQ(signature(laws).rfind("sin and cos of 3.1 Hz", 0), 0u) << signature(laws);
+}
+
+TEST(Signature, FindsDragThatGrowsWithTheSquareOfSpeed) {
+  ToyLaws laws;
+  laws.drag = 0.1;
+  EXPECT_EQ(signature(laws).rfind("v|v|", 0), 0u) << signature(laws);
+}
+
+TEST(Signature, FindsNothingWhereNothingIs) { EXPECT_EQ(signature({}), ""); }
+
+}  // namespace
+}  // namespace nao::validation
