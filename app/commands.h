@@ -17,5 +17,6 @@ void addConvert(CLI::App& app);
 void addRecord(CLI::App& app);
 void addCatalog(CLI::App& app);
 void addExtend(CLI::App& app);
+void addReplay(CLI::App& app);
 
 }  // namespace nao::app

@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
   nao::app::addRecord(app);
   nao::app::addCatalog(app);
   nao::app::addExtend(app);
+  nao::app::addReplay(app);
   try {
     app.parse(argc, argv);
     return 0;

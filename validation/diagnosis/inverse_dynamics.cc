@@ -74,7 +74,16 @@ bool InverseDynamics::related(int leaf, int other) const {
   return std::find(chain, end, other) != end;
 }
 
-double InverseDynamics::inertia(Joint joint) const { return share(joint, coupling(joint)); }
+double InverseDynamics::inertia(Joint joint) const {
+  double sum = 0;
+  for (const int a : hinges(joint)) {
+    for (const int b : hinges(joint)) {
+      const int leaf = std::max(a, b), other = std::min(a, b);
+      if (related(leaf, other)) sum += inertia_.at(leaf, other);
+    }
+  }
+  return sum;
+}
 
 VectorXd InverseDynamics::coupling(Joint joint) const {
   VectorXd row = VectorXd::Zero(inertia_.size());

@@ -17,6 +17,7 @@ struct JointNoise {
   double torque_time = 0;  // [s] its correlation time
   double start_sd = 0;     // [s] of the moment a run begins, drawn once per run
   double quantum = 0;      // [rad] of the encoder
+  double jitter = 0;       // [rad] by which half of the readings are off, to either side
 };
 
 /// One motion of one joint as the diagnosis sees it: every repeat on one grid of times.

@@ -4,6 +4,7 @@
 #include "core/check.h"
 #include "validation/diagnosis/merge_effects.h"
 #include "validation/diagnosis/rig_simulator.h"
+#include "validation/diagnosis/shared_cause.h"
 #include "validation/suspended.h"
 
 namespace nao::validation {
@@ -22,7 +23,8 @@ RigSet::RigSet(const LogSet& set, std::shared_ptr<const RobotModel> model, RigOp
   choosePace(motions_.front().dt);
   findJoints();
   for (const GriddedMotion& motion : motions_) measured_.push_back(meanOf(motion));
-  for (std::size_t m = 0; m < motions_.size(); ++m) loads_.push_back(loadOf(m));
+  loads_.resize(motions_.size());
+  inParallel(loads_.size(), options_.jobs, [this](std::size_t m) { loads_[m] = loadOf(m); });
 }
 
 const sim::EffectCatalogue& RigSet::catalogue() const {

@@ -45,6 +45,17 @@ std::uint64_t mixed(std::uint64_t stream, std::size_t motion) {
   return stream * 0x9e3779b97f4a7c15ULL + motion + 1;
 }
 
+// As the effect encoder_jitter.
+void addJitter(double amplitude, std::uint64_t stream, Eigen::MatrixXd& signals) {
+  if (amplitude <= 0) return;
+  Random random(stream, "encoder");
+  for (Eigen::Index k = 0; k < signals.rows(); ++k) {
+    const double draw = random.uniform();
+    if (draw < 0.25) signals(k, 0) -= amplitude;
+    if (draw >= 0.75) signals(k, 0) += amplitude;
+  }
+}
+
 RobotModel withGain(const RobotModel& model, Joint joint, double kp_scale) {
   RobotModel scaled = model;
   scaled.actuators[index(joint)].kp *= kp_scale;
@@ -175,6 +186,7 @@ Eigen::MatrixXd RigSimulator::run(const std::vector<EffectSetting>& causes, std:
   const auto rows = static_cast<Eigen::Index>(signals.angle.size());
   Eigen::MatrixXd result(rows, measured_[motion].repeats.front().cols());
   result.col(0) = Eigen::Map<const Eigen::VectorXd>(signals.angle.data(), rows);
+  addJitter(noise.jitter, chance.stream, result);
   if (noise.quantum > 0) {
     result.col(0) = noise.quantum * (result.col(0) / noise.quantum).array().round();
   }

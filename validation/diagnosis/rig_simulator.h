@@ -21,6 +21,7 @@ struct RigOptions {
   /// The noise of all joints and the number of runs of the whole robot that their loads come from.
   std::vector<EffectSetting> noise;
   int whole_runs = 8;
+  int jobs = 1;  // threads that calculate loads; the result is the same
   const sim::EffectCatalogue* catalogue = nullptr;  // null: standardEffects()
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/support/models.h"
+#include "validation/diagnosis/noise_fit.h"
 #include "validation/diagnosis/replay.h"
 #include "validation/log/simulated_recording.h"
 #include "validation/suspended.h"
@@ -12,7 +13,7 @@
 namespace nao::validation {
 namespace {
 
-const JointNoise kNoise{0.1, 0.05, 5e-4, 0};
+const JointNoise kNoise{0.1, 0.05, 5e-4, 0, 0};
 
 std::vector<EffectSetting> torqueNoise() {
   return {{"process_noise", {{"sd", kNoise.torque_sd}, {"time", kNoise.torque_time}}, {}, ""}};
@@ -100,6 +101,21 @@ TEST(RigSimulator, DrawsByStreamAloneWhateverTheCauses) {
   const double by_cause = (angles({gain}, 3) - angles({}, 3)).norm();
   const double by_stream = (angles({}, 4) - angles({}, 3)).norm();
   EXPECT_LT(by_cause, 0.5 * by_stream);
+}
+
+// Two motions of six runs: torques are known to about a quarter, by what they do together with
+// their time; the start is drawn twelve times.
+TEST(NoiseFit, FindsTheNoiseOfRepeats) {
+  const Recorded arm("LElbowRoll", {{"encoder_jitter", {{"amplitude", 0.003}}, {}, ""}});
+  const RigSimulator simulator(arm.set, *arm.model->findJoint("LElbowRoll"));
+  const JointNoise found = fitNoise(simulator, {0.02, 0.02, 0, 0, 0});
+  EXPECT_NEAR(found.torque_sd, kNoise.torque_sd, 0.3 * kNoise.torque_sd);
+  EXPECT_NEAR(found.jitter, 0.003, 0.0005);
+  EXPECT_NEAR(found.start_sd, kNoise.start_sd, 0.5 * kNoise.start_sd);
+  const NoiseComparison before = compareNoise(simulator, {0.02, 0.02, 0, 0, 0});
+  EXPECT_GT(before.measured.sd, 2 * before.simulated.sd);
+  const NoiseComparison after = compareNoise(simulator, found);
+  EXPECT_NEAR(after.simulated.sd, after.measured.sd, 0.15 * after.measured.sd);
 }
 
 TEST(RigSimulator, RefusesARobotOnItsFeet) {

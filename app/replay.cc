@@ -1,0 +1,44 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/source_paths.h"
+#include "validation/diagnosis/replay_set.h"
+
+namespace nao::app {
+namespace {
+
+struct Options {
+  std::string set, model;
+  validation::ReplayOptions replay;
+  bool json = false;
+};
+
+void run(const Options& options) {
+  const validation::LogSet set = validation::readLogSet(options.set);
+  const std::string name = options.model.empty() ? set.robot : options.model;
+  const validation::Report report =
+      validation::replaySet(set, loadRobotModel(findSourceFile("robots"), name), options.replay);
+  const std::string text = options.json ? toJson(report) + "\n" : toText(report);
+  std::fputs(text.c_str(), stdout);
+}
+
+}  // namespace
+
+void addReplay(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "replay",
+      "Replays the commands of a recorded set on a model: what the simulation gets wrong.");
+  const auto options = std::make_shared<Options>();
+  command->add_option("set", options->set, "Folder of the set (RobotLog 1).")->required();
+  command->add_option("--model", options->model, "A robot of robots/; default: the set's own.");
+  command->add_option("--runs", options->replay.runs, "Simulated runs per motion.")
+      ->check(CLI::Range(2, 1000));
+  command->add_option("--jobs", options->replay.jobs, "Threads; the result is the same.")
+      ->check(CLI::Range(1, 64));
+  command->add_flag("--json", options->json, "One JSON object instead of text.");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace nao::app

@@ -1,0 +1,80 @@
+#include "validation/diagnosis/replay_set.h"
+
+#include <algorithm>
+
+#include "validation/diagnosis/prepared_set.h"
+#include "validation/diagnosis/replay.h"
+#include "validation/diagnosis/shared_cause.h"
+
+namespace nao::validation {
+namespace {
+
+Row rowOf(const PreparedJoint& joint, const JointReplay& replay) {
+  return {{"joint", replay.joint},
+          {"rmse_rad", replay.rmse},
+          {"floor_rad", replay.floor},
+          {"misfit", replay.misfit},
+          {"unexplained_share", replay.share},
+          {"noise_free_rmse_rad", replay.noise_free_rmse},
+          {"real_sd_rad", joint.moments.measured.sd},
+          {"nominal_sd_rad", joint.moments.simulated.sd},
+          {"fitted_sd_rad", replay.simulated_sd},
+          {"fitted_torque_sd_nm", joint.noise.torque_sd},
+          {"fitted_torque_time_s", joint.noise.torque_time},
+          {"fitted_start_sd_s", joint.noise.start_sd},
+          {"fitted_jitter_rad", joint.noise.jitter}};
+}
+
+std::vector<std::string> lineOf(const PreparedJoint& joint, const JointReplay& replay) {
+  return {replay.joint,
+          fixed(1e3 * replay.rmse, 2),
+          fixed(1e3 * replay.floor, 2),
+          fixed(replay.misfit, 2),
+          fixed(100 * replay.share, 0),
+          fixed(1e3 * joint.moments.measured.sd, 2),
+          fixed(1e3 * joint.moments.simulated.sd, 2),
+          fixed(1e3 * replay.simulated_sd, 2),
+          fixed(joint.noise.torque_sd, 3),
+          fixed(1e3 * joint.noise.start_sd, 2)};
+}
+
+}  // namespace
+
+Report replaySet(const LogSet& set, std::shared_ptr<const RobotModel> model,
+                 const ReplayOptions& options) {
+  const std::string robot = model->name;
+  const PreparedSet prepared = prepareSet(set, std::move(model), options.jobs);
+  std::vector<JointReplay> replays(prepared.joints.size());
+  inParallel(replays.size(), options.jobs, [&](std::size_t i) {
+    const PreparedJoint& joint = prepared.joints[i];
+    replays[i] =
+        replayJoint(*joint.simulator, {}, joint.noise, options.runs, {Split::Fit, Split::Select});
+  });
+  Report report;
+  report.command = "replay";
+  report.robot = robot;
+  report.runs = options.runs;
+  report.step_s = toSeconds(prepared.set->rigStep());
+  TextTable table{"Measured against simulated: mean of repeats, and their spread",
+                  {"joint", "error [mrad]", "floor", "misfit", "unexplained [%]", "SD real",
+                   "SD nominal", "SD fitted", "torque [N m]", "start [ms]"},
+                  {}};
+  std::vector<Row> rows;
+  double largest = 0, sum = 0;
+  for (std::size_t i = 0; i < replays.size(); ++i) {
+    rows.push_back(rowOf(prepared.joints[i], replays[i]));
+    table.lines.push_back(lineOf(prepared.joints[i], replays[i]));
+    largest = std::max(largest, replays[i].misfit);
+    sum += replays[i].misfit;
+  }
+  report.figures.push_back({"rows", rows});
+  report.figures.push_back({"misfit_max", largest});
+  const auto count = static_cast<double>(std::max<std::size_t>(1, replays.size()));
+  report.figures.push_back({"misfit_mean", sum / count});
+  report.tables.push_back(std::move(table));
+  report.remarks.push_back(
+      "misfit: error of the means over what the spreads of both explain; 1 is a perfect model.");
+  return report;
+}
+
+}  // namespace nao::validation
