@@ -34,12 +34,12 @@ void JointData::addMotions(Split split, const JointNoise& noise) {
     const bool alone = motion.repeats.size() < 2;
     has_repeats_ = has_repeats_ && !alone;
     addMotion(
-        m, motion,
+        m, motion, noise.quantum,
         alone ? statisticsOf(motion, simulatedRepeats(joint_, m, noise)) : statisticsOf(motion));
   }
 }
 
-void JointData::addMotion(std::size_t motion, const JointMotion& measured,
+void JointData::addMotion(std::size_t motion, const JointMotion& measured, double quantum,
                           const RepeatStatistics& found) {
   const MotionSpan span{
       motion,      measured.split, mean_.size(), found.mean.rows(), found.mean.cols(),
@@ -50,7 +50,10 @@ void JointData::addMotion(std::size_t motion, const JointMotion& measured,
   for (Eigen::Index s = 0; s < span.signals; ++s) {
     const Eigen::Index at = span.offset + s * span.rows;
     mean_.segment(at, span.rows) = found.mean.col(s);
-    sd_.segment(at, span.rows) = found.sd.col(s) * std::sqrt(found.inflation[s] / found.repeats);
+    // What an encoder rounds is no noise: repeats that rest are all rounded alike.
+    const double rounding = s == 0 ? quantum * quantum / 12 : 0;
+    const double part = found.inflation[s] / found.repeats;
+    sd_.segment(at, span.rows) = (found.sd.col(s).array().square() * part + rounding).sqrt();
     for (Eigen::Index i = 0; i < span.rows; ++i) {
       block_.push_back(blocks_ + static_cast<int>(i / second));
     }

@@ -44,7 +44,8 @@ class JointData {
 
  private:
   void addMotions(Split split, const JointNoise& noise);
-  void addMotion(std::size_t motion, const JointMotion& measured, const RepeatStatistics& found);
+  void addMotion(std::size_t motion, const JointMotion& measured, double quantum,
+                 const RepeatStatistics& found);
 
   const JointSimulator& joint_;
   std::vector<MotionSpan> spans_;
