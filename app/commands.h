@@ -15,6 +15,7 @@ void addPlay(CLI::App& app);
 void addCheckData(CLI::App& app);
 void addConvert(CLI::App& app);
 void addRecord(CLI::App& app);
+void addDiagnose(CLI::App& app);
 void addCatalog(CLI::App& app);
 void addExtend(CLI::App& app);
 void addReplay(CLI::App& app);

@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   nao::app::addCheckData(app);
   nao::app::addConvert(app);
   nao::app::addRecord(app);
+  nao::app::addDiagnose(app);
   nao::app::addCatalog(app);
   nao::app::addExtend(app);
   nao::app::addReplay(app);

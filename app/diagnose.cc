@@ -1,0 +1,132 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/source_paths.h"
+#include "core/config.h"
+#include "validation/diagnosis/diagnosis_json.h"
+#include "validation/diagnosis/prepared_set.h"
+#include "validation/log/data_faults.h"
+
+namespace nao::app {
+namespace {
+
+struct Arguments {
+  std::string set, model, out, budget, joint;
+  std::string robots_dir = "robots";
+  int jobs = 1;
+  bool json = false;
+};
+
+// "5min", "90s", "1h", or seconds.
+double secondsOf(const std::string& text) {
+  std::size_t end = 0;
+  double number = 0;
+  try {
+    number = std::stod(text, &end);
+  } catch (const std::logic_error&) {
+    end = 0;
+  }
+  const std::string unit = text.substr(end);
+  if (end > 0 && number > 0 && (unit.empty() || unit == "s")) return number;
+  if (end > 0 && number > 0 && unit == "min") return 60 * number;
+  if (end > 0 && number > 0 && unit == "h") return 3600 * number;
+  throw InputError("--budget " + text + ": expected a time such as 5min, 90s or 1h");
+}
+
+// How many runs each joint may take, from what one costs here and now. Which runs are made depends
+// on this number alone.
+long runsWithin(double seconds, const validation::PreparedSet& set, int jobs) {
+  const auto begin = std::chrono::steady_clock::now();
+  constexpr int kRuns = 20;
+  const validation::PreparedJoint& joint = set.joints.front();
+  for (int i = 0; i < kRuns; ++i) joint.simulator->run({}, 0, 1u + i, joint.noise);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+  const double threads = std::min(jobs, static_cast<int>(set.joints.size()));
+  return std::lround(seconds * threads / static_cast<double>(set.joints.size()) /
+                     (taken.count() / kRuns));
+}
+
+std::vector<validation::JointTask> tasksOf(const validation::PreparedSet& set,
+                                           const std::string& only) {
+  std::vector<validation::JointTask> tasks;
+  for (const validation::PreparedJoint& joint : set.joints) {
+    if (!only.empty() && joint.simulator->joint() != only) continue;
+    tasks.push_back({joint.simulator.get(), joint.noise});
+  }
+  if (tasks.empty()) throw InputError("the set has no joint " + only + " that was measured");
+  return tasks;
+}
+
+void write(const std::string& folder, const std::string& json) {
+  std::filesystem::create_directories(folder);
+  std::ofstream file(folder + "/report.json");
+  file << json << "\n";
+  if (!file) throw InputError(folder + "/report.json: cannot be written");
+}
+
+void stopAtFaults(const validation::LogSet& set, const RobotModel& model) {
+  const auto faults = validation::findDataFaults(set, &model);
+  if (!validation::anyFault(faults)) return;
+  std::printf("verdict: data_fault\n%s", toText(validation::reportDataFaults(set, faults)).c_str());
+  throw CLI::RuntimeError(exitCodeOf(validation::Verdict::DataFault));
+}
+
+void run(const Arguments& arguments) {
+  const validation::LogSet set = validation::readLogSet(arguments.set);
+  const std::string name = arguments.model.empty() ? set.robot : arguments.model;
+  const auto model = loadRobotModel(findSourceFile(arguments.robots_dir), name);
+  stopAtFaults(set, *model);
+  const validation::PreparedSet prepared = validation::prepareSet(set, model, arguments.jobs);
+  if (prepared.joints.empty())
+    throw InputError(arguments.set + ": no joint was measured in all runs");
+
+  validation::DiagnosisOptions options;
+  options.jobs = arguments.jobs;
+  if (!arguments.budget.empty()) {
+    options.runs_per_joint = runsWithin(secondsOf(arguments.budget), prepared, arguments.jobs);
+  }
+  options.progress = [](const std::string& what, double part) {
+    std::fprintf(stderr, "%3.0f %% %s\n", 100 * part, what.c_str());
+  };
+  const auto found = validation::diagnoseJoints(tasksOf(prepared, arguments.joint),
+                                                validation::jointCauses(), options);
+  validation::Provenance provenance{set.name, name, "diagnose"};
+  const std::string json = toJson(found, provenance);
+  if (!arguments.out.empty()) write(arguments.out, json);
+  std::printf("%s", (arguments.json ? json + "\n" : toText(found)).c_str());
+  const int code = exitCodeOf(found.verdict);
+  if (code != 0) throw CLI::RuntimeError(code);
+}
+
+}  // namespace
+
+void addDiagnose(CLI::App& app) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand(
+      "diagnose",
+      "Names what a recorded set (docs/robot_log.md) shows that the model does not, joint by\n"
+      "joint. Exit code 0: no discrepancy, 10 named, 11 ambiguous, 12 unknown or partly "
+      "explained,\n"
+      "13 unfinished, 20 data fault.");
+  command->add_option("set", arguments->set, "The set's folder.")->required();
+  command->add_option("--model", arguments->model,
+                      "The nominal robot; the set's own if not given.");
+  command->add_option("--joint", arguments->joint, "This joint only.");
+  command->add_option("--jobs", arguments->jobs, "Threads; the result is the same for any number.")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--budget", arguments->budget, "Time to stop after, such as 5min.");
+  command->add_option("--out", arguments->out, "Folder for report.json.");
+  command->add_option("--robots-dir", arguments->robots_dir, "Where the robots' folders are.")
+      ->capture_default_str();
+  command->add_flag("--json", arguments->json, "The report instead of text.");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace nao::app
