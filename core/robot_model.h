@@ -180,6 +180,9 @@ struct RobotModel {
 
   std::vector<EffectSetting> effects;    // always on
   std::vector<EffectSetting> variation;  // on in runs that have a seed: why real runs differ
+  /// Why repeats of one motion by one robot differ: on only where such runs are asked for.
+  std::vector<EffectSetting> noise;
+  double start_sd = 0;  // [s] by which a run's commands come late or early, the same kind of noise
   /// Bodies that never touch each other, the lower number first: the two of every hinge, and
   /// those the file names because their solids overlap where the real ones do not.
   std::vector<std::pair<int, int>> no_collision;

@@ -216,6 +216,10 @@ void readBody(const ConfigNode& file, const UrdfRobot& urdf, RobotModel& model) 
     readNoCollision(body, model);
     model.effects = readEffects(body, "effects", model);
     model.variation = readEffects(body, "variation", model);
+    body.map("noise", Config::Presence::Optional, [&](Config& noise) {
+      model.start_sd = 1e-3 * noise.number("start_sd_ms", kNotNegative, 0);
+      model.noise = readEffects(noise, "effects", model);
+    });
   });
 }
 

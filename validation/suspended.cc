@@ -53,6 +53,8 @@ class Cutter {
     keepMotors();
     keepEffects(model.effects, cut_.effects);
     keepEffects(model.variation, cut_.variation);
+    keepEffects(model.noise, cut_.noise);
+    cut_.start_sd = model.start_sd;
     keepLimits();
     keepPostures();
   }

@@ -131,6 +131,12 @@ Trial tryTime(const JointSimulator& joint, const NoiseMoments& measured, JointNo
   return trial;
 }
 
+// Of the robot's file, which gives them all.
+double numberOf(const EffectSetting& effect, const char* name, double otherwise) {
+  const auto at = effect.parameters.find(name);
+  return at == effect.parameters.end() ? otherwise : at->second;
+}
+
 }  // namespace
 
 JointNoise nominalNoise(const RobotModel& model, Joint joint) {
@@ -139,6 +145,18 @@ JointNoise nominalNoise(const RobotModel& model, Joint joint) {
   noise.torque_sd = kUsualTorque * motor.efficiency * motor.stall_torque;
   noise.torque_time = kUsualTime;
   noise.start_sd = kUsualStart;
+  if (model.noise.empty()) return noise;
+  noise.start_sd = model.start_sd;
+  noise.torque_sd = 0;
+  for (const EffectSetting& effect : model.noise) {
+    const auto& on = effect.joints;
+    if (!on.empty() && std::find(on.begin(), on.end(), joint) == on.end()) continue;
+    if (effect.name == "process_noise") {
+      noise.torque_sd = numberOf(effect, "sd", noise.torque_sd);
+      noise.torque_time = numberOf(effect, "time", kUsualTime);
+    }
+    if (effect.name == "encoder_jitter") noise.jitter = numberOf(effect, "amplitude", 0);
+  }
   return noise;
 }
 

@@ -118,6 +118,18 @@ TEST(NoiseFit, FindsTheNoiseOfRepeats) {
   EXPECT_NEAR(after.simulated.sd, after.measured.sd, 0.15 * after.measured.sd);
 }
 
+TEST(NoiseFit, StartsFromTheRobotsFile) {
+  const auto nao = nao::test::robot("nao_h21_v33");
+  const JointNoise knee = nominalNoise(*nao, *nao->findJoint("LKneePitch"));
+  const JointNoise head = nominalNoise(*nao, *nao->findJoint("HeadYaw"));
+  EXPECT_GT(knee.torque_sd, head.torque_sd);
+  EXPECT_GT(head.torque_sd, 0);
+  EXPECT_GT(knee.jitter, 0);
+  EXPECT_EQ(knee.start_sd, nao->start_sd);
+  const auto pendulum = nao::test::pendulum(1, 0.1);  // says nothing of its noise
+  EXPECT_GT(nominalNoise(*pendulum, toJoint(0)).torque_sd, 0);
+}
+
 TEST(RigSimulator, RefusesARobotOnItsFeet) {
   LogSet set;
   set.rate = 100;
