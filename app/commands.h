@@ -19,5 +19,6 @@ void addDiagnose(CLI::App& app);
 void addCatalog(CLI::App& app);
 void addExtend(CLI::App& app);
 void addReplay(CLI::App& app);
+void addBench(CLI::App& app);
 
 }  // namespace nao::app

@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
   nao::app::addCatalog(app);
   nao::app::addExtend(app);
   nao::app::addReplay(app);
+  nao::app::addBench(app);
   try {
     app.parse(argc, argv);
     return 0;

@@ -1,0 +1,122 @@
+// Hides effects in sets and lets `usarnaoqi diagnose` find them: usarnaoqi-bench-diagnosis.
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include "core/check.h"
+#include "tests/hidden/figures.h"
+#include "tests/hidden/preset.h"
+#include "tests/hidden/trial.h"
+
+namespace nao::hidden {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::string preset = "quick";
+  std::uint64_t seed = 1;
+  std::string shard = "1/1";
+  bool json = false;
+  int most = 0;
+  Counts counts;
+  TrialPlace place;
+};
+
+struct Shard {
+  std::size_t index = 0, count = 1;
+};
+
+Shard parseShard(const std::string& text) {
+  unsigned index = 0, count = 0;
+  char rest = 0;
+  const int read = std::sscanf(text.c_str(), "%u/%u%c", &index, &count, &rest);
+  if (read != 2 || index < 1 || index > count) {
+    throw InputError("--shard: expected i/n with 1 <= i <= n, found '" + text + "'");
+  }
+  return {index - 1, count};
+}
+
+// What is done already, by name; a last line that was cut short is left out.
+std::map<std::string, std::string> readDone(const fs::path& file) {
+  std::map<std::string, std::string> done;
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t begin = line.find("\"name\":\"");
+    if (begin == std::string::npos || line.back() != '}') continue;
+    done[line.substr(begin + 8, 16)] = line;
+  }
+  return done;
+}
+
+void run(const Arguments& arguments) {
+  const Shard shard = parseShard(arguments.shard);
+  const fs::path results = fs::path(arguments.place.folder) / "results.jsonl";
+  fs::create_directories(results.parent_path());
+  std::map<std::string, std::string> done = readDone(results);
+  const std::vector<HiddenCase> cases = makeCases(arguments.counts, arguments.seed);
+  const auto begun = std::chrono::steady_clock::now();
+  const auto seconds = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  };
+  std::vector<std::string> lines;
+  int made = 0;
+  for (std::size_t i = shard.index; i < cases.size(); i += shard.count) {
+    const std::string name = cases[i].name();
+    if (done.count(name) == 0) {
+      if (arguments.most > 0 && made == arguments.most) break;
+      done[name] = runTrial(cases[i], arguments.place);
+      std::ofstream(results, std::ios::app) << done[name] << "\n" << std::flush;
+      ++made;
+    }
+    lines.push_back(done[name]);
+    std::fprintf(stderr, "\r%zu of %zu sets, %.0f s ", lines.size(),
+                 (cases.size() - shard.index + shard.count - 1) / shard.count, seconds());
+  }
+  std::fprintf(stderr, "\n");
+  const Figures figures = figuresOf(lines);
+  if (arguments.json) {
+    std::printf("%s\n", toJson(figures, arguments.preset, seconds()).c_str());
+  } else {
+    std::printf("%s%s", toText(figures).c_str(), listWrong(lines).c_str());
+  }
+}
+
+}  // namespace
+}  // namespace nao::hidden
+
+int main(int argc, char** argv) {
+  using namespace nao::hidden;
+  CLI::App app("Hides effects in simulated sets and lets `usarnaoqi diagnose` find them.");
+  Arguments arguments;
+  const fs::path here = fs::canonical("/proc/self/exe").parent_path();
+  arguments.place.program = (here / "usarnaoqi").string();
+  arguments.place.robots_dir = NAO_SOURCE_DIR "/robots";
+  arguments.place.folder = "hidden_sets";
+  app.add_option("--preset", arguments.preset, "quick, standard (300 sets) or full (800).")
+      ->capture_default_str();
+  app.add_option("--seed", arguments.seed, "Another number, other sets.")->capture_default_str();
+  app.add_option("--shard", arguments.shard, "i/n: every n-th set, from the i-th on.")
+      ->capture_default_str();
+  app.add_option("--out", arguments.place.folder,
+                 "Where results.jsonl and reports go; sets that are done already are not repeated.")
+      ->capture_default_str();
+  app.add_option("--jobs", arguments.place.jobs, "Threads of a diagnosis.")->capture_default_str();
+  app.add_option("--most", arguments.most, "Stop after this many sets more; 0: all.");
+  app.add_option("--program", arguments.place.program, "The program on trial.");
+  app.add_option("--robots-dir", arguments.place.robots_dir, "The nominal models.");
+  app.add_flag("--keep", arguments.place.keep_sets, "Keep the sets.");
+  app.add_flag("--json", arguments.json, "Figures as one JSON object.");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    arguments.counts = countsOf(arguments.preset);
+    run(arguments);
+    return 0;
+  } catch (const nao::InputError& error) {
+    std::fprintf(stderr, "usarnaoqi-bench-diagnosis: %s\n", error.what());
+    return 2;
+  }
+}

@@ -1,0 +1,73 @@
+#include "tests/hidden/given_report.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/check.h"
+
+namespace nao::hidden {
+namespace {
+
+using Json = nlohmann::json;
+
+GivenCause causeOf(const Json& finding, const std::string& joint) {
+  GivenCause cause;
+  cause.cause = finding.at("cause");
+  cause.effect = finding.at("effect");
+  cause.joint = joint;
+  cause.gain = finding.at("gain_nats");
+  for (const Json& rival : finding.at("rivals")) cause.rivals.push_back(rival.at("cause"));
+  for (const Json& number : finding.at("numbers")) {
+    const double value = number.at("value").is_null() ? 0 : number.at("value").get<double>();
+    if (cause.has_number) {
+      cause.shape.emplace_back(number.at("parameter"), value);
+      continue;
+    }
+    cause.has_number = true;
+    cause.parameter = number.at("parameter");
+    cause.value = value;
+    const auto read = [](const Json& x) { return x.is_number() ? x.get<double>() : 0.0; };
+    cause.deviation = read(number.at("deviation"));
+    cause.low = read(number.at("interval_90").at(0));
+    cause.high = read(number.at("interval_90").at(1));
+  }
+  return cause;
+}
+
+void addCauses(const Json& findings, const std::string& joint, GivenReport& report) {
+  for (const Json& finding : findings) {
+    if (finding.at("below_size_of_interest").get<bool>()) continue;
+    report.causes.push_back(causeOf(finding, joint));
+  }
+}
+
+}  // namespace
+
+bool GivenReport::remains(const std::string& joint) const {
+  return std::any_of(joints.begin(), joints.end(), [&](const GivenJoint& one) {
+    return (joint.empty() || one.joint == joint) &&
+           (one.verdict == "unknown" || one.verdict == "partly_explained");
+  });
+}
+
+GivenReport readReport(const std::string& text) {
+  try {
+    const Json json = Json::parse(text);
+    GivenReport report;
+    report.verdict = json.at("verdict");
+    if (json.contains("shared")) addCauses(json.at("shared"), "", report);
+    if (json.contains("joints")) {
+      for (const Json& joint : json.at("joints")) {
+        report.joints.push_back({joint.at("joint"), joint.at("verdict"), joint.at("signature")});
+        addCauses(joint.at("findings"), joint.at("joint"), report);
+      }
+    }
+    std::stable_sort(report.causes.begin(), report.causes.end(),
+                     [](const GivenCause& a, const GivenCause& b) { return a.gain > b.gain; });
+    return report;
+  } catch (const Json::exception& error) {
+    throw InputError(std::string("expected the report of a diagnosis: ") + error.what());
+  }
+}
+
+}  // namespace nao::hidden

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace nao::hidden {
+
+/// A cause that a report names, or one of those it cannot tell apart.
+struct GivenCause {
+  std::string cause, effect;
+  std::string joint;  // empty: all joints
+  std::vector<std::string> rivals;
+  double gain = 0;  // [nats]
+  bool has_number = false;
+  std::string parameter;
+  double value = 0, deviation = 0, low = 0, high = 0;
+  /// Of the further parameters that shape it.
+  std::vector<std::pair<std::string, double>> shape;
+};
+
+/// What a diagnosis wrote of one joint.
+struct GivenJoint {
+  std::string joint, verdict, signature;
+};
+
+/// The part of report.json that is judged.
+struct GivenReport {
+  std::string verdict;             // of the set
+  std::vector<GivenCause> causes;  // that are of interest, the one that explains most first
+  std::vector<GivenJoint> joints;
+
+  bool remains(const std::string& joint) const;  // something unexplained is left at this joint
+};
+
+/// @throws InputError if this is no report of a diagnosis.
+GivenReport readReport(const std::string& json);
+
+}  // namespace nao::hidden

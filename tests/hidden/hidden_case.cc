@@ -1,0 +1,84 @@
+#include "tests/hidden/hidden_case.h"
+
+#include <nlohmann/json.hpp>
+
+#include "core/random.h"
+
+namespace nao::hidden {
+namespace {
+
+const char* nameOf(Spoil spoil) {
+  switch (spoil) {
+    case Spoil::None:
+      return "none";
+    case Spoil::SwapJoints:
+      return "swapped joints";
+    case Spoil::Negate:
+      return "negated joint";
+    case Spoil::Degrees:
+      return "degrees for radians";
+    case Spoil::Clock:
+      return "clock";
+    case Spoil::Freeze:
+      return "constant channel";
+  }
+  return "";
+}
+
+}  // namespace
+
+const char* nameOf(Kind kind) {
+  switch (kind) {
+    case Kind::ExactNull:
+      return "exact_null";
+    case Kind::NearNull:
+      return "near_null";
+    case Kind::Single:
+      return "single";
+    case Kind::WeakSingle:
+      return "weak_single";
+    case Kind::Pair:
+      return "pair";
+    case Kind::Stranger:
+      return "stranger";
+    case Kind::DataFault:
+      return "data_fault";
+  }
+  return "";
+}
+
+std::string HiddenCase::name() const {
+  constexpr char kSigns[] = "abcdefghijkmnpqrstuvwxyz23456789";
+  Random random(seed, "name of a hidden set");
+  std::string name;
+  for (int i = 0; i < 16; ++i) name += kSigns[static_cast<int>(32 * random.uniform())];
+  return name;
+}
+
+std::string toJson(const Truth& truth) {
+  using Json = nlohmann::ordered_json;
+  Json hidden = Json::array();
+  for (const HiddenTruth& one : truth.hidden) {
+    hidden.push_back({{"cause", one.cause},
+                      {"law", one.law},
+                      {"joint", one.joint},
+                      {"parameter", one.parameter},
+                      {"value", one.value},
+                      {"deviation", one.deviation},
+                      {"size", one.size},
+                      {"features", one.features}});
+  }
+  const Json all = {{"name", truth.name},
+                    {"kind", nameOf(truth.kind)},
+                    {"joints", truth.joints},
+                    {"hidden", hidden},
+                    {"spoilt", nameOf(truth.spoil)},
+                    {"reference_mode", truth.reference},
+                    {"torque_sd", truth.torque_sd},
+                    {"torque_time", truth.torque_time},
+                    {"start_sd", truth.start_sd},
+                    {"shortfall", truth.shortfall}};
+  return all.dump();
+}
+
+}  // namespace nao::hidden

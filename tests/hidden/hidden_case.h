@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tests/hidden/hideout.h"
+
+namespace nao::hidden {
+
+enum class Kind { ExactNull, NearNull, Single, WeakSingle, Pair, Stranger, DataFault };
+
+/// "exact_null", "near_null", "single", "weak_single", "pair", "stranger", "data_fault".
+const char* nameOf(Kind kind);
+
+/// What is done to the data themselves.
+enum class Spoil { None, SwapJoints, Negate, Degrees, Clock, Freeze };
+
+/// One effect that a case asks for.
+struct Wish {
+  Hideout hideout;
+  double size = 0;  // [SD of the measured mean] wanted
+};
+
+/// One set to be made, by its place in a preset: the same case, the same set, to the last bit.
+struct HiddenCase {
+  std::uint64_t seed = 1;  // of this case alone
+  Kind kind = Kind::ExactNull;
+  std::vector<std::string> joints;  // that move and are written; effects hide in the first
+  /// Where else effects may hide if the first joint cannot show them; tried in this order.
+  std::vector<std::string> other_places;
+  std::vector<Wish> wishes;
+  Spoil spoil = Spoil::None;
+  int repeats = 6;
+  double seconds = 6;      // of each motion
+  bool reference = false;  // made in the reference mode, from the robot as on its drawings
+
+  /// The nominal model, of robots/.
+  std::string robot() const { return reference ? "nao_h21_v33_ideal" : "nao_h21_v33"; }
+  /// 16 letters and digits that say nothing.
+  std::string name() const;
+};
+
+/// What was hidden, and how large it came out.
+struct HiddenTruth {
+  std::string cause;  // empty: a stranger
+  std::string law, parameter;
+  std::string joint;  // empty: all
+  double value = 0;   // of the parameter
+  double deviation = 0;
+  double size = 0;  // [SD of the measured mean] reached
+  bool inverse = false, comparable = true;
+  std::vector<std::string> features;
+};
+
+/// What a set holds and its diagnosis must not see.
+struct Truth {
+  std::string name;
+  Kind kind = Kind::ExactNull;
+  std::vector<std::string> joints;
+  std::vector<HiddenTruth> hidden;
+  Spoil spoil = Spoil::None;
+  bool reference = false;
+  double torque_sd = 0, torque_time = 0, start_sd = 0;  // [N m], [s], [s]
+  std::string shortfall;  // why a wished size could not be reached; empty: it was
+};
+
+std::string toJson(const Truth& truth);
+
+}  // namespace nao::hidden

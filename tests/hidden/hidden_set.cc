@@ -1,0 +1,234 @@
+#include "tests/hidden/hidden_set.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/check.h"
+#include "core/random.h"
+#include "tests/hidden/laws/laws.h"
+#include "validation/log/simulated_recording.h"
+#include "validation/suspended.h"
+
+namespace nao::hidden {
+namespace {
+
+using validation::LogSet;
+using validation::RecordedMotion;
+using validation::RecordingPlan;
+
+constexpr double kActs = 0.05;  // of an effect's largest change: where it is less it does not act
+constexpr int kMostScalings = 8;
+constexpr double kCloseEnough = 0.2;  // of the wished size
+constexpr double kGrowth = 3;         // of a deviation in one scaling
+
+// The standard motions with all joints but these at rest in the start posture.
+std::vector<RecordedMotion> motionsOf(const std::shared_ptr<const RobotModel>& model,
+                                      const std::vector<std::string>& joints, double seconds) {
+  const Posture* rest = model->findPosture(model->start_posture);
+  NAO_CHECK(rest != nullptr);
+  std::vector<Joint> moving;
+  for (const std::string& name : joints) moving.push_back(*model->findJoint(name));
+  std::vector<RecordedMotion> motions = validation::standardRecording(model);
+  for (RecordedMotion& motion : motions) {
+    motion.duration = seconds;
+    motion.angles = [model, moving, rest = rest->angle, whole = motion.angles](double t) {
+      const JointArray<double> all = whole(t);
+      JointArray<double> angle = rest;
+      for (const Joint joint : moving) angle[joint] = all[joint];
+      for (const CoupledLimit& limit : model->coupled_limits) {
+        if (std::find(moving.begin(), moving.end(), limit.limited) == moving.end()) continue;
+        const auto [low, high] = limit.rangeAt(angle[limit.driver]);
+        angle[limit.limited] = std::clamp(angle[limit.limited], low, high);
+      }
+      return angle;
+    };
+  }
+  return motions;
+}
+
+// The mean of the repeats of every motion of one joint, one after another.
+std::vector<double> meansOf(const LogSet& set, const std::string& joint) {
+  std::vector<double> all;
+  for (std::size_t first = 0; first < set.runs.size();) {
+    std::size_t last = first;
+    while (last < set.runs.size() && set.runs[last].motion == set.runs[first].motion) ++last;
+    const std::size_t rows = set.runs[first].t.size();
+    for (std::size_t k = 0; k < rows; ++k) {
+      double sum = 0;
+      for (std::size_t r = first; r < last; ++r) sum += set.runs[r].columns.at("q." + joint)[k];
+      all.push_back(sum / static_cast<double>(last - first));
+    }
+    first = last;
+  }
+  return all;
+}
+
+double rms(const std::vector<double>& a, const std::vector<double>& b) {
+  double squares = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) squares += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, a.size())));
+}
+
+// Over the samples where the two differ at all by `kActs` of the most that they do.
+double rmsWhereActing(const std::vector<double>& a, const std::vector<double>& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
+  double squares = 0;
+  long count = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double change = a[i] - b[i];
+    if (std::abs(change) < kActs * most) continue;
+    squares += change * change;
+    ++count;
+  }
+  return count == 0 ? 0 : std::sqrt(squares / static_cast<double>(count));
+}
+
+// The same for the limbs that hold the written joints alone, fit motions only, each once: answers
+// the same, at a small part of the cost.
+RecordingPlan limbOf(const RecordingPlan& plan) {
+  RecordingPlan limb = plan;
+  const auto cut = std::make_shared<RobotModel>(
+      validation::cutLimbs(validation::stripped(*plan.model), plan.joints));
+  limb.model = cut;
+  limb.repeats = 1;
+  limb.motions.clear();
+  for (RecordedMotion motion : plan.motions) {
+    if (motion.split != validation::Split::Fit) continue;
+    motion.angles = [whole = plan.model, cut, all = motion.angles](double t) {
+      const JointArray<double> angle = all(t);
+      JointArray<double> kept(cut->jointCount());
+      for (std::size_t j = 0; j < cut->jointCount(); ++j) {
+        kept[j] = angle[*whole->findJoint(cut->actuators[j].name)];
+      }
+      return kept;
+    };
+    limb.motions.push_back(motion);
+  }
+  return limb;
+}
+
+class Maker {
+ public:
+  Maker(const HiddenCase& hidden, const std::shared_ptr<const RobotModel>& nominal)
+      : hidden_(hidden) {
+    auto robot = std::make_shared<RobotModel>(validation::suspend(*nominal));
+    Random random(hidden.seed, "noise");
+    truth_.name = hidden.name();
+    truth_.kind = hidden.kind;
+    truth_.joints = hidden.joints;
+    truth_.spoil = hidden.spoil;
+    truth_.reference = hidden.reference;
+    truth_.torque_sd = random.uniform(0.02, 0.045);
+    truth_.torque_time = random.uniform(0.03, 0.08);
+    truth_.start_sd = random.uniform(0.0005, 0.0015);
+    plan_.name = truth_.name;
+    plan_.effects = &hiddenEffects();
+    plan_.extra = {
+        {"process_noise", {{"sd", truth_.torque_sd}, {"time", truth_.torque_time}}, {}, ""}};
+    if (hidden.kind != Kind::ExactNull) addUndeclaredDifferences(*robot, hidden.seed);
+    plan_.model = robot;
+    plan_.start_sd = truth_.start_sd;
+    plan_.joints = hidden.joints;
+    plan_.motions = motionsOf(robot, hidden.joints, hidden.seconds);
+    if (hidden.reference) plan_.mode = sim::Mode::Reference;
+    limb_ = limbOf(plan_);
+  }
+
+  HiddenSet make() {
+    for (const Wish& wish : hidden_.wishes) hide(wish);
+    if (!truth_.shortfall.empty()) return {{}, truth_};
+    RecordingPlan plan = plan_;
+    plan.repeats = hidden_.repeats;
+    plan.seed = 2 + static_cast<std::uint64_t>(Random(hidden_.seed, "runs").uniform() * 1e15);
+    HiddenSet made{validation::recordSimulated(plan), truth_};
+    spoilData(made.set, hidden_.spoil);
+    return made;
+  }
+
+ private:
+  // One run of each fit motion with these effects on top, the same chance for all that share a
+  // seed.
+  LogSet sample(const std::vector<EffectSetting>& effects, std::uint64_t seed) const {
+    RecordingPlan plan = limb_;
+    plan.extra.insert(plan.extra.end(), effects.begin(), effects.end());
+    plan.seed = seed;
+    return validation::recordSimulated(plan);
+  }
+
+  // What the effect changes, in SDs of the measured mean, at the joint where that is most.
+  double sizeOf(const EffectSetting& effect, const Hideout& hideout) {
+    if (without_.empty()) {
+      for (const std::uint64_t seed : {1, 2}) without_.push_back(sample({}, seed));
+    }
+    const LogSet with = sample({effect}, 1);
+    double most = 0;
+    for (const std::string& joint : hidden_.joints) {
+      if (!hideout.whole_robot && joint != hidden_.joints.front()) continue;
+      const std::vector<double> before = meansOf(without_[0], joint);
+      const double run_sd = rms(before, meansOf(without_[1], joint)) / std::sqrt(2.0);
+      const double mean_sd = run_sd / std::sqrt(static_cast<double>(hidden_.repeats));
+      most = std::max(most, rmsWhereActing(meansOf(with, joint), before) / mean_sd);
+    }
+    return most;
+  }
+
+  void hide(const Wish& wish) {
+    const Hideout& hideout = wish.hideout;
+    const std::string& joint = hidden_.joints.front();
+    const double sign = hideout.start < 0 ? -1 : 1;
+    double deviation = std::abs(hideout.start), size = 0;
+    const double least = std::max(hideout.least, 1e-9), most = std::abs(hideout.most);
+    double below = 0, above = 0;  // deviations that were too small and too large
+    for (int i = 0; i < kMostScalings; ++i) {
+      deviation = std::clamp(deviation, least, most);
+      size = sizeOf(settingAt(hideout, sign * deviation, *limb_.model, joint), hideout);
+      const double ratio = wish.size / std::max(size, 1e-3);
+      if (std::abs(ratio - 1) < kCloseEnough) break;
+      if ((deviation >= most && ratio > 1) || (deviation <= least && ratio < 1)) break;
+      (ratio > 1 ? below : above) = deviation;
+      if (i + 1 == kMostScalings) break;
+      const bool between = below > 0 && above > 0;
+      deviation =
+          between ? std::sqrt(below * above) : deviation * std::clamp(ratio, 1 / kGrowth, kGrowth);
+    }
+    const EffectSetting setting = settingAt(hideout, sign * deviation, *plan_.model, joint);
+    plan_.extra.push_back(setting);
+    limb_.extra.push_back(settingAt(hideout, sign * deviation, *limb_.model, joint));
+    note(wish, setting, sign * deviation, size);
+    without_.clear();
+  }
+
+  void note(const Wish& wish, const EffectSetting& setting, double deviation, double size) {
+    const Hideout& hideout = wish.hideout;
+    HiddenTruth one;
+    one.cause = hideout.cause;
+    one.law = hideout.law;
+    one.parameter = hideout.parameter;
+    if (!hideout.whole_robot) one.joint = hidden_.joints.front();
+    one.value = setting.parameters.at(hideout.parameter);
+    one.deviation = deviation;
+    one.size = size;
+    one.inverse = hideout.inverse;
+    one.comparable = hideout.comparable;
+    one.features = hideout.features;
+    truth_.hidden.push_back(one);
+    const bool small = size < 0.75 * wish.size;
+    const bool large = hidden_.kind == Kind::WeakSingle && size > 1.5 * wish.size;
+    if (small) truth_.shortfall += hideout.law + " cannot be made large enough here; ";
+    if (large) truth_.shortfall += hideout.law + " is of no interest when it is that small; ";
+  }
+
+  const HiddenCase& hidden_;
+  RecordingPlan plan_, limb_;
+  Truth truth_;
+  std::vector<LogSet> without_;  // two samples without the effect to be hidden next
+};
+
+}  // namespace
+
+HiddenSet makeHiddenSet(const HiddenCase& hidden, std::shared_ptr<const RobotModel> model) {
+  return Maker(hidden, model).make();
+}
+
+}  // namespace nao::hidden

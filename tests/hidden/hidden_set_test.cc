@@ -1,0 +1,76 @@
+#include "tests/hidden/hidden_set.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/hidden/preset.h"
+#include "tests/support/models.h"
+
+namespace nao::hidden {
+namespace {
+
+HiddenCase friction(double size) {
+  HiddenCase hidden;
+  hidden.kind = Kind::Single;
+  hidden.seed = 7;
+  hidden.joints = {"HeadYaw"};
+  hidden.repeats = 2;
+  hidden.wishes = {{likenessHideouts().front(), size}};
+  return hidden;
+}
+
+TEST(HiddenSet, IsTheSameForTheSameCaseAndSaysNothingOfWhatItHides) {
+  const auto model = test::robot("nao_h21_v33");
+  const HiddenSet one = makeHiddenSet(friction(8), model);
+  const HiddenSet two = makeHiddenSet(friction(8), model);
+  ASSERT_EQ(one.set.runs.size(), 14u);
+  EXPECT_EQ(one.set.runs[3].columns, two.set.runs[3].columns);
+  EXPECT_EQ(one.set.name, friction(8).name());
+  EXPECT_EQ(one.set.source, "simulated");
+  EXPECT_TRUE(one.set.runs[0].notes.empty());
+}
+
+TEST(HiddenSet, EffectsComeOutAsLargeAsWished) {
+  const auto model = test::robot("nao_h21_v33");
+  for (const double size : {6.0, 14.0}) {
+    const Truth truth = makeHiddenSet(friction(size), model).truth;
+    ASSERT_EQ(truth.hidden.size(), 1u);
+    EXPECT_TRUE(truth.shortfall.empty());
+    EXPECT_NEAR(truth.hidden[0].size, size, 0.3 * size);
+    EXPECT_GT(truth.hidden[0].deviation, 0);
+  }
+}
+
+TEST(HiddenSet, RobotsDifferUndeclared) {
+  RobotModel robot = *test::robot("nao_h21_v33");
+  const RobotModel nominal = robot;
+  addUndeclaredDifferences(robot, 3);
+  for (std::size_t j = 0; j < robot.jointCount(); ++j) {
+    const double ratio = robot.actuators[j].kp / nominal.actuators[j].kp;
+    EXPECT_NE(ratio, 1);
+    EXPECT_NEAR(ratio, 1, 0.02);
+  }
+  EXPECT_GT(robot.effects.size(), nominal.effects.size());
+}
+
+TEST(Preset, TakesAThirdOfItsSinglesFromOtherLawsAndShuffles) {
+  const std::vector<HiddenCase> cases = makeCases(countsOf("standard"), 5);
+  int singles = 0, own = 0;
+  bool sorted = true;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    sorted = sorted && (i == 0 || cases[i - 1].kind <= cases[i].kind);
+    if (cases[i].kind != Kind::Single) continue;
+    ++singles;
+    own += cases[i].wishes.front().hideout.law.rfind("hidden_", 0) == 0;
+  }
+  EXPECT_EQ(cases.size(), 300u);
+  EXPECT_FALSE(sorted);
+  EXPECT_GT(3 * own, singles);
+}
+
+TEST(Preset, KnowsTenCausesThatNoCatalogueHas) { EXPECT_GE(strangerHideouts().size(), 10u); }
+
+}  // namespace
+}  // namespace nao::hidden

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tests/hidden/hidden_case.h"
+
+namespace nao::hidden {
+
+/// How many sets of each kind.
+struct Counts {
+  int exact_nulls = 0, near_nulls = 0, singles = 0, weak_singles = 0, pairs = 0, strangers = 0,
+      data_faults = 0;
+};
+
+/// "quick", "standard" or "full". @throws InputError for another word.
+Counts countsOf(const std::string& preset);
+
+/// The sets of a preset, in an order that says nothing. A third of the singles hide in laws that
+/// are written separately; singles go round all causes and a dozen joints; a tenth of the nulls
+/// comes from the reference mode.
+std::vector<HiddenCase> makeCases(const Counts& counts, std::uint64_t seed);
+
+}  // namespace nao::hidden

@@ -1,0 +1,119 @@
+#include "tests/hidden/score.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/hidden/hideout.h"
+
+namespace nao::hidden {
+namespace {
+
+// A fault of all joints may be named once for all or at the joint that shows it; one of a single
+// joint for all only where no other joint is in the set.
+bool isThere(const Truth& truth, const HiddenTruth& hidden, const GivenCause& given) {
+  if (hidden.joint.empty() || hidden.joint == given.joint) return true;
+  return truth.joints.size() == 1;
+}
+
+bool isRight(const Truth& truth, const HiddenTruth& hidden, const GivenCause& given) {
+  return isThere(truth, hidden, given) && looksAlike(hidden.cause, given.cause);
+}
+
+bool isAmong(const Truth& truth, const HiddenTruth& hidden, const GivenCause& given) {
+  if (isRight(truth, hidden, given)) return true;
+  return isThere(truth, hidden, given) &&
+         std::find(given.rivals.begin(), given.rivals.end(), hidden.cause) != given.rivals.end();
+}
+
+bool isAnyRight(const Truth& truth, const GivenCause& given) {
+  return std::any_of(truth.hidden.begin(), truth.hidden.end(),
+                     [&](const HiddenTruth& hidden) { return isRight(truth, hidden, given); });
+}
+
+void scoreFirst(const Truth& truth, const GivenReport& report, Score& score) {
+  if (report.causes.empty() || truth.hidden.empty()) return;
+  const GivenCause& first = report.causes.front();
+  score.exact = isRight(truth, truth.hidden.front(), first);
+  score.truth_in_set = isAmong(truth, truth.hidden.front(), first);
+  score.ambiguous = !first.rivals.empty();
+  score.set_size = 1 + static_cast<int>(first.rivals.size());
+}
+
+void scorePair(const Truth& truth, const GivenReport& report, Score& score) {
+  score.named = static_cast<int>(report.causes.size());
+  for (const GivenCause& given : report.causes) score.named_right += isAnyRight(truth, given);
+  for (const HiddenTruth& hidden : truth.hidden) {
+    score.found += std::any_of(report.causes.begin(), report.causes.end(),
+                               [&](const GivenCause& c) { return isRight(truth, hidden, c); });
+  }
+}
+
+// A signature reads "sgn v (41 %), then q (12 %)". Features that begin a word of many ("sin and cos
+// of 8 q") are given by their beginning.
+bool isInFirstTwo(const std::string& signature, const HiddenTruth& hidden) {
+  std::size_t begin = 0;
+  for (int term = 0; term < 2 && begin < signature.size(); ++term) {
+    const std::size_t end = std::min(signature.find(", then ", begin), signature.size());
+    const std::string name = signature.substr(begin, signature.rfind(" (", end) - begin);
+    for (const std::string& feature : hidden.features) {
+      const bool family = feature.find(" of") != std::string::npos;
+      if (name == feature || (family && name.rfind(feature, 0) == 0)) return true;
+      if (feature.find("Hz") != std::string::npos && name.find(feature) != std::string::npos) {
+        return true;
+      }
+    }
+    begin = end + std::string(", then ").size();
+  }
+  return false;
+}
+
+void scoreStranger(const Truth& truth, const GivenReport& report, Score& score) {
+  if (truth.hidden.empty() || !truth.hidden.front().cause.empty()) return;
+  const HiddenTruth& hidden = truth.hidden.front();
+  const bool alone = std::any_of(report.causes.begin(), report.causes.end(),
+                                 [](const GivenCause& c) { return c.rivals.empty(); });
+  score.flagged = report.remains(hidden.joint) && !alone;
+  for (const GivenJoint& joint : report.joints) {
+    if (joint.joint == hidden.joint) score.signature_right = isInFirstTwo(joint.signature, hidden);
+  }
+}
+
+void scoreNumbers(const Truth& truth, const GivenReport& report, Score& score) {
+  for (const HiddenTruth& hidden : truth.hidden) {
+    if (!hidden.comparable || hidden.cause.empty()) continue;
+    for (const GivenCause& given : report.causes) {
+      if (given.cause != hidden.cause || !isThere(truth, hidden, given)) continue;
+      if (!given.has_number || given.parameter != hidden.parameter) continue;
+      // Of a limit that counts by its inverse: 1 / rate.
+      const double found = hidden.inverse ? 1 / given.value : given.deviation;
+      Score::Number number;
+      number.error = std::abs(found - hidden.deviation) / std::abs(hidden.deviation);
+      number.has_interval = given.high > given.low;
+      number.covered = hidden.deviation >= given.low && hidden.deviation <= given.high;
+      if (hidden.inverse) number.has_interval = false;
+      score.numbers.push_back(number);
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+Score score(const Truth& truth, const GivenReport& report) {
+  Score score;
+  score.false_alarm = !report.causes.empty();
+  score.said_unknown = report.remains("");
+  score.detected = report.verdict != "no_discrepancy" && report.verdict != "unfinished";
+  score.unknown = report.verdict == "unknown";
+  score.fault_found = report.verdict == "data_fault";
+  for (const GivenCause& given : report.causes) {
+    score.named_wrong = score.named_wrong || (given.rivals.empty() && !isAnyRight(truth, given));
+  }
+  scoreFirst(truth, report, score);
+  scorePair(truth, report, score);
+  scoreStranger(truth, report, score);
+  scoreNumbers(truth, report, score);
+  return score;
+}
+
+}  // namespace nao::hidden

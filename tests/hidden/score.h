@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+
+#include "tests/hidden/given_report.h"
+#include "tests/hidden/hidden_case.h"
+
+namespace nao::hidden {
+
+/// How a diagnosis did on one set, in the words of the figures.
+struct Score {
+  // Nulls.
+  bool false_alarm = false;  // anything named or ambiguous anywhere
+  bool said_unknown = false;
+  // Singles, weak or not.
+  bool detected = false;     // anything but "no discrepancy" or "unfinished"
+  bool exact = false;        // the first cause is the truth
+  bool named_wrong = false;  // a cause that is not the truth, named alone
+  bool truth_in_set = false;
+  bool ambiguous = false, unknown = false;
+  int set_size = 0;  // of the first cause and its rivals; 0: nothing was named
+  // Pairs.
+  int found = 0;  // of the hidden ones
+  int named = 0, named_right = 0;
+  // Strangers.
+  bool flagged = false;  // unknown, or partly explained with no cause named alone
+  bool signature_right = false;
+  // Data faults.
+  bool fault_found = false;
+  // Numbers of the causes that are right, where their parameters mean the same.
+  struct Number {
+    double error = 0;  // relative to the hidden deviation
+    bool has_interval = false, covered = false;
+  };
+  std::vector<Number> numbers;
+};
+
+Score score(const Truth& truth, const GivenReport& report);
+
+}  // namespace nao::hidden

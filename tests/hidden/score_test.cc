@@ -1,0 +1,100 @@
+#include "tests/hidden/score.h"
+
+#include <gtest/gtest.h>
+
+namespace nao::hidden {
+namespace {
+
+Truth hiding(const std::string& cause, const std::string& joint = "HeadYaw") {
+  Truth truth;
+  truth.kind = Kind::Single;
+  truth.joints = {"HeadYaw", "HeadPitch"};
+  HiddenTruth hidden;
+  hidden.cause = cause;
+  hidden.parameter = "part";
+  hidden.joint = joint;
+  hidden.value = hidden.deviation = 0.2;
+  hidden.features = {"v|v|"};
+  truth.hidden = {hidden};
+  return truth;
+}
+
+GivenCause named(const std::string& cause, const std::string& joint = "HeadYaw",
+                 std::vector<std::string> rivals = {}) {
+  GivenCause given;
+  given.cause = cause;
+  given.joint = joint;
+  given.rivals = std::move(rivals);
+  return given;
+}
+
+GivenReport saying(const std::string& verdict, std::vector<GivenCause> causes = {}) {
+  return {verdict, std::move(causes), {{"HeadYaw", verdict, "q (31 %), then v|v| (20 %)"}}};
+}
+
+TEST(Score, TheFirstCauseIsTheTruthAtItsJoint) {
+  EXPECT_TRUE(score(hiding("kp_error"), saying("named", {named("kp_error")})).exact);
+  const Score elsewhere =
+      score(hiding("kp_error"), saying("named", {named("kp_error", "HeadPitch")}));
+  EXPECT_FALSE(elsewhere.exact);
+  EXPECT_TRUE(elsewhere.named_wrong);
+}
+
+TEST(Score, ARivalOfTheFirstCauseIsInItsSetOnly) {
+  const Score found = score(hiding("kp_error"),
+                            saying("ambiguous", {named("torque_limit", "HeadYaw", {"kp_error"})}));
+  EXPECT_FALSE(found.exact);
+  EXPECT_FALSE(found.named_wrong);
+  EXPECT_TRUE(found.truth_in_set);
+  EXPECT_EQ(found.set_size, 2);
+}
+
+TEST(Score, ASecondCauseNamedAloneIsWrongBesideTheTruth) {
+  const Score found =
+      score(hiding("kp_error"), saying("named", {named("kp_error"), named("backlash")}));
+  EXPECT_TRUE(found.exact);
+  EXPECT_TRUE(found.named_wrong);
+}
+
+TEST(Score, ListedLookAlikesCountAsTheTruth) {
+  EXPECT_TRUE(
+      score(hiding("sensor_delay", ""), saying("named", {named("command_latency", "")})).exact);
+}
+
+TEST(Score, AnythingNamedInANullIsAFalseAlarm) {
+  Truth null;
+  null.joints = {"HeadYaw"};
+  EXPECT_TRUE(score(null, saying("ambiguous", {named("a", "HeadYaw", {"b"})})).false_alarm);
+  EXPECT_FALSE(score(null, saying("no_discrepancy")).false_alarm);
+}
+
+TEST(Score, AStrangerIsFlaggedUnlessACauseIsNamedAlone) {
+  const Truth stranger = hiding("");
+  EXPECT_TRUE(score(stranger, saying("unknown")).flagged);
+  EXPECT_FALSE(score(stranger, saying("named", {named("kp_error")})).flagged);
+  EXPECT_FALSE(score(stranger, saying("partly_explained", {named("kp_error")})).flagged);
+  EXPECT_TRUE(score(stranger, saying("partly_explained", {named("a", "HeadYaw", {"b"})})).flagged);
+}
+
+TEST(Score, TheRightFeatureMayComeSecondNotThird) {
+  Truth stranger = hiding("");
+  EXPECT_TRUE(score(stranger, saying("unknown")).signature_right);
+  stranger.hidden[0].features = {"v"};
+  EXPECT_FALSE(score(stranger, saying("unknown")).signature_right);
+}
+
+TEST(Score, ErrorsAreRelativeToTheHiddenDeviation) {
+  GivenCause given = named("kp_error");
+  given.has_number = true;
+  given.parameter = "part";
+  given.value = given.deviation = 0.21;
+  given.low = 0.19;
+  given.high = 0.23;
+  const Score found = score(hiding("kp_error"), saying("named", {given}));
+  ASSERT_EQ(found.numbers.size(), 1u);
+  EXPECT_NEAR(found.numbers[0].error, 0.05, 1e-12);
+  EXPECT_TRUE(found.numbers[0].covered);
+}
+
+}  // namespace
+}  // namespace nao::hidden

@@ -1,0 +1,177 @@
+#include "tests/hidden/trial.h"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "core/check.h"
+#include "core/robot_model.h"
+
+namespace nao::hidden {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+void write(const fs::path& file, const std::string& text) {
+  fs::create_directories(file.parent_path());
+  std::ofstream out(file);
+  out << text << "\n";
+  if (!out) throw InputError(file.string() + ": cannot be written");
+}
+
+std::string read(const fs::path& file) {
+  std::ifstream in(file);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+double childSeconds() {
+  rusage usage{};
+  getrusage(RUSAGE_CHILDREN, &usage);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+// Runs a program in `folder` with an empty environment but for PATH; both outputs go to `log`.
+int runIn(const std::string& folder, const std::vector<std::string>& words,
+          const std::string& log) {
+  const pid_t child = fork();
+  NAO_CHECK(child >= 0);
+  if (child == 0) {
+    const int out = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    if (out < 0 || chdir(folder.c_str()) != 0) _exit(127);
+    dup2(out, 1);
+    dup2(out, 2);
+    std::vector<char*> arguments;
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    char path[] = "PATH=/usr/bin:/bin";
+    char* environment[] = {path, nullptr};
+    execve(arguments[0], arguments.data(), environment);
+    _exit(127);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+Json toJson(const Score& score) {
+  Json numbers = Json::array();
+  for (const Score::Number& number : score.numbers) {
+    numbers.push_back(
+        {{"error", number.error}, {"interval", number.has_interval}, {"covered", number.covered}});
+  }
+  return {{"false_alarm", score.false_alarm},
+          {"said_unknown", score.said_unknown},
+          {"detected", score.detected},
+          {"exact", score.exact},
+          {"named_wrong", score.named_wrong},
+          {"truth_in_set", score.truth_in_set},
+          {"ambiguous", score.ambiguous},
+          {"unknown", score.unknown},
+          {"set_size", score.set_size},
+          {"found", score.found},
+          {"named", score.named},
+          {"named_right", score.named_right},
+          {"flagged", score.flagged},
+          {"signature_right", score.signature_right},
+          {"fault_found", score.fault_found},
+          {"numbers", numbers}};
+}
+
+// What was said, short: "HeadYaw: kp_error | motor_inertia".
+std::string saying(const GivenReport& report) {
+  std::string text = report.verdict;
+  for (const GivenCause& cause : report.causes) {
+    text += "; " + (cause.joint.empty() ? "all" : cause.joint) + ": " + cause.cause;
+    for (const std::string& rival : cause.rivals) text += " | " + rival;
+  }
+  for (const GivenJoint& joint : report.joints) {
+    if (!joint.signature.empty()) text += "; " + joint.joint + " goes with " + joint.signature;
+  }
+  return text;
+}
+
+}  // namespace
+
+SealedSet sealSet(const HiddenCase& hidden, const TrialPlace& place) {
+  const auto nominal = loadRobotModel(place.robots_dir, hidden.robot());
+  HiddenCase tried = hidden;
+  HiddenSet made = makeHiddenSet(tried, nominal);
+  for (const std::string& other : hidden.other_places) {
+    if (made.truth.shortfall.empty()) break;
+    tried.joints = {other};
+    made = makeHiddenSet(tried, nominal);
+  }
+  SealedSet sealed;
+  sealed.truth = made.truth;
+  sealed.folder = (fs::path(place.folder) / "sets" / made.truth.name).string();
+  sealed.truth_file = (fs::path(place.folder) / "truths" / (made.truth.name + ".json")).string();
+  if (!made.truth.shortfall.empty()) return sealed;
+  validation::writeLogSet(made.set, sealed.folder);
+  write(sealed.truth_file, toJson(sealed.truth));
+  return sealed;
+}
+
+Diagnosed diagnoseSealed(const std::string& set_folder, const std::string& robot,
+                         const std::string& report_folder, const TrialPlace& place) {
+  fs::create_directories(report_folder);
+  const std::string out = fs::absolute(report_folder).string();
+  const auto begun = std::chrono::steady_clock::now();
+  const double cpu = childSeconds();
+  Diagnosed diagnosed;
+  diagnosed.exit_code = runIn(
+      set_folder,
+      {fs::absolute(place.program).string(), "diagnose", ".", "--model", robot, "--robots-dir",
+       fs::absolute(place.robots_dir).string(), "--out", out, "--jobs", std::to_string(place.jobs)},
+      out + "/log.txt");
+  diagnosed.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  diagnosed.cpu = childSeconds() - cpu;
+  diagnosed.report = read(out + "/report.json");
+  return diagnosed;
+}
+
+std::string runTrial(const HiddenCase& hidden, const TrialPlace& place) {
+  const SealedSet sealed = sealSet(hidden, place);
+  Json line = {{"name", sealed.truth.name}, {"truth", Json::parse(toJson(sealed.truth))}};
+  if (!sealed.truth.shortfall.empty()) {
+    line["skipped"] = sealed.truth.shortfall;
+  } else {
+    const fs::path reports = fs::path(place.folder) / "reports" / sealed.truth.name;
+    const Diagnosed diagnosed =
+        diagnoseSealed(sealed.folder, hidden.robot(), reports.string(), place);
+    line["exit_code"] = diagnosed.exit_code;
+    line["wall_s"] = diagnosed.wall;
+    line["cpu_s"] = diagnosed.cpu;
+    GivenReport report;
+    if (!diagnosed.report.empty()) {
+      report = readReport(diagnosed.report);
+    } else {
+      report.verdict = diagnosed.exit_code == 20 ? "data_fault" : "failed";
+    }
+    line["said"] = saying(report);
+    line["score"] = toJson(score(sealed.truth, report));
+    if (!sealed.truth.hidden.empty() && report.verdict != "data_fault") {
+      const Gain gain = calcGain(validation::readLogSet(sealed.folder), sealed.truth, report,
+                                 *loadRobotModel(place.robots_dir, hidden.robot()));
+      line["gain"] = {
+          {"known", gain.known}, {"removed", gain.removed}, {"over_floor", gain.over_floor}};
+    }
+  }
+  if (!place.keep_sets) fs::remove_all(sealed.folder);
+  return line.dump();
+}
+
+}  // namespace nao::hidden
