@@ -18,6 +18,7 @@ void addRecord(CLI::App& app);
 void addDiagnose(CLI::App& app);
 void addCatalog(CLI::App& app);
 void addExtend(CLI::App& app);
+void addGain(CLI::App& app);
 void addReplay(CLI::App& app);
 void addBench(CLI::App& app);
 

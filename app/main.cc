@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
   nao::app::addDiagnose(app);
   nao::app::addCatalog(app);
   nao::app::addExtend(app);
+  nao::app::addGain(app);
   nao::app::addReplay(app);
   nao::app::addBench(app);
   try {

@@ -9,7 +9,7 @@ namespace nao::validation {
 namespace {
 
 struct Sums {
-  double error = 0, explained = 0, floor = 0, real = 0, simulated = 0, noise_free = 0;
+  double error = 0, absolute = 0, explained = 0, floor = 0, real = 0, simulated = 0, noise_free = 0;
   double samples = 0;
 
   void add(const JointMotion& motion, const RunSpread& measured, const RunSpread& ensemble,
@@ -18,6 +18,7 @@ struct Sums {
     // A single run has no spread of its own: that of the model stands in.
     const Eigen::VectorXd& spread = repeats > 1 ? measured.variance : ensemble.variance;
     error += (measured.mean - ensemble.mean).squaredNorm();
+    absolute += (measured.mean - ensemble.mean).cwiseAbs().sum();
     explained += (spread / repeats + ensemble.variance / runs).sum();
     floor += spread.sum() / repeats;
     real += measured.variance.sum();
@@ -60,6 +61,7 @@ JointReplay replayJoint(const JointSimulator& joint, const std::vector<EffectSet
   if (sums.samples == 0) return replay;
   const auto rms = [&](double sum) { return std::sqrt(sum / sums.samples); };
   replay.rmse = rms(sums.error);
+  replay.mae = sums.absolute / sums.samples;
   replay.floor = rms(sums.floor);
   replay.misfit = sums.explained > 0 ? std::sqrt(sums.error / sums.explained) : 0;
   replay.share = sums.error > 0 ? std::max(0.0, 1 - sums.explained / sums.error) : 0;

@@ -11,6 +11,7 @@ namespace nao::validation {
 struct JointReplay {
   std::string joint;
   double rmse = 0;          // [rad] mean of the repeats against mean of the simulated runs
+  double mae = 0;           // [rad] the same, mean of absolute values
   double floor = 0;         // [rad] SD of the mean of the repeats: what noise alone leaves
   double misfit = 0;        // rmse over what the spreads of both means explain; 1: nothing is wrong
   double share = 0;         // of the squared error that noise does not explain

@@ -1,0 +1,113 @@
+#include "validation/diagnosis/gain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <vector>
+
+#include "core/config.h"
+#include "validation/diagnosis/prepared_set.h"
+#include "validation/diagnosis/replay.h"
+#include "validation/diagnosis/shared_cause.h"
+
+namespace nao::validation {
+namespace {
+
+// An error that grew by more than this part has grown: less is chance. Free choice.
+constexpr double kWorse = 1.05;
+
+std::vector<JointReplay> replayTest(const LogSet& set, std::shared_ptr<const RobotModel> model,
+                                    const GainOptions& options) {
+  const PreparedSet prepared = prepareSet(set, std::move(model), options.jobs);
+  std::vector<JointReplay> replays(prepared.joints.size());
+  inParallel(replays.size(), options.jobs, [&](std::size_t i) {
+    const PreparedJoint& joint = prepared.joints[i];
+    replays[i] = replayJoint(*joint.simulator, {}, joint.noise, options.runs, {Split::Test});
+  });
+  return replays;
+}
+
+// Over all joints: each counts alike.
+double meanOf(const std::vector<JointReplay>& replays, double JointReplay::*error) {
+  double sum = 0;
+  for (const JointReplay& one : replays) sum += one.*error;
+  return sum / static_cast<double>(replays.size());
+}
+
+double rootMeanSquare(const std::vector<JointReplay>& replays, double JointReplay::*error) {
+  double sum = 0;
+  for (const JointReplay& one : replays) sum += one.*error * one.*error;
+  return std::sqrt(sum / static_cast<double>(replays.size()));
+}
+
+void addRows(const std::vector<JointReplay>& before, const std::vector<JointReplay>& after,
+             Report& report) {
+  TextTable table{"Test runs: error of the mean [mrad]",
+                  {"joint", "before", "after", "floor", "mean absolute before", "after"},
+                  {}};
+  std::vector<Row> rows;
+  std::string worse;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const JointReplay &a = before[i], &b = after[i];
+    rows.push_back({{"joint", a.joint},
+                    {"before_mae", a.mae},
+                    {"after_mae", b.mae},
+                    {"before_rmse", a.rmse},
+                    {"after_rmse", b.rmse},
+                    {"floor_rmse", a.floor}});
+    table.lines.push_back({a.joint, fixed(1e3 * a.rmse, 2), fixed(1e3 * b.rmse, 2),
+                           fixed(1e3 * a.floor, 2), fixed(1e3 * a.mae, 2), fixed(1e3 * b.mae, 2)});
+    if (b.rmse > kWorse * a.rmse) worse += (worse.empty() ? "" : ", ") + a.joint;
+  }
+  report.figures.push_back({"rows", std::move(rows)});
+  report.tables.push_back(std::move(table));
+  report.remarks.push_back(worse.empty() ? "No joint got worse."
+                                         : "Worse than before: " + worse + ".");
+}
+
+}  // namespace
+
+Report measureGain(const LogSet& set, std::shared_ptr<const RobotModel> before,
+                   std::shared_ptr<const RobotModel> after, int openings,
+                   const GainOptions& options) {
+  const auto tests = [](const LogRun& run) { return run.split == Split::Test; };
+  if (std::none_of(set.runs.begin(), set.runs.end(), tests)) {
+    throw InputError(set.name + ": no run has the split `test`, expected at least one");
+  }
+  Report report;
+  report.command = "gain";
+  report.robot = after->name;
+  report.runs = options.runs;
+  const std::vector<JointReplay> old_errors = replayTest(set, std::move(before), options);
+  const std::vector<JointReplay> new_errors = replayTest(set, std::move(after), options);
+  if (old_errors.empty()) throw InputError(set.name + ": no joint was commanded and measured");
+  const double floor = rootMeanSquare(old_errors, &JointReplay::floor);
+  const double old_rmse = rootMeanSquare(old_errors, &JointReplay::rmse);
+  const double new_rmse = rootMeanSquare(new_errors, &JointReplay::rmse);
+  report.figures.push_back({"before_mae", meanOf(old_errors, &JointReplay::mae)});
+  report.figures.push_back({"after_mae", meanOf(new_errors, &JointReplay::mae)});
+  report.figures.push_back({"before_rmse", old_rmse});
+  report.figures.push_back({"after_rmse", new_rmse});
+  report.figures.push_back({"floor_rmse", floor});
+  report.figures.push_back({"test_openings", static_cast<double>(openings)});
+  addRows(old_errors, new_errors, report);
+  report.remarks.push_back("Error " + fixed(1e3 * old_rmse, 2) + " -> " + fixed(1e3 * new_rmse, 2) +
+                           " mrad on runs not used for anything else, floor " +
+                           fixed(1e3 * floor, 2) + "; they were opened " +
+                           std::to_string(openings) + (openings == 1 ? " time." : " times."));
+  return report;
+}
+
+int openTestRuns(const std::string& set_folder, const std::string& by) {
+  const std::string file = set_folder + "/test_openings.txt";
+  {
+    std::ofstream out(file, std::ios::app);
+    if (!(out << by << "\n")) throw InputError(file + ": can not be written");
+  }
+  std::ifstream in(file);
+  int lines = 0;
+  for (std::string line; std::getline(in, line);) ++lines;
+  return lines;
+}
+
+}  // namespace nao::validation

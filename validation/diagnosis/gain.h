@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/robot_model.h"
+#include "validation/log/robot_log.h"
+#include "validation/report.h"
+
+namespace nao::validation {
+
+struct GainOptions {
+  int runs = 32;  // simulated per motion
+  int jobs = 1;   // threads; the result is the same
+};
+
+/// `usarnaoqi gain`: how much nearer `after` comes than `before` to the test runs of a set, which
+/// nothing else looks at: error of the mean of the simulated runs against the mean of the repeats,
+/// per joint and over all, beside the floor that the repeats' own spread leaves; and where it got
+/// worse. `openings`: how often the test runs have been looked at, this time included.
+/// @throws InputError for a set without test runs.
+Report measureGain(const LogSet& set, std::shared_ptr<const RobotModel> before,
+                   std::shared_ptr<const RobotModel> after, int openings,
+                   const GainOptions& options);
+
+/// Adds a line to the set's record of looks at its test runs; returns how many there are now.
+/// @throws InputError if it can not be written.
+int openTestRuns(const std::string& set_folder, const std::string& by);
+
+}  // namespace nao::validation
