@@ -11,6 +11,7 @@
 #include "app/source_paths.h"
 #include "core/config.h"
 #include "validation/diagnosis/diagnosis_json.h"
+#include "validation/diagnosis/diagnosis_page.h"
 #include "validation/diagnosis/prepared_set.h"
 #include "validation/log/data_faults.h"
 
@@ -64,11 +65,9 @@ std::vector<validation::JointTask> tasksOf(const validation::PreparedSet& set,
   return tasks;
 }
 
-void write(const std::string& folder, const std::string& json) {
-  std::filesystem::create_directories(folder);
-  std::ofstream file(folder + "/report.json");
-  file << json << "\n";
-  if (!file) throw InputError(folder + "/report.json: cannot be written");
+void write(const std::string& file, const std::string& text) {
+  std::ofstream out(file);
+  if (!(out << text).flush()) throw InputError(file + ": can not be written");
 }
 
 void stopAtFaults(const validation::LogSet& set, const RobotModel& model) {
@@ -76,6 +75,15 @@ void stopAtFaults(const validation::LogSet& set, const RobotModel& model) {
   if (!validation::anyFault(faults)) return;
   std::printf("verdict: data_fault\n%s", toText(validation::reportDataFaults(set, faults)).c_str());
   throw CLI::RuntimeError(exitCodeOf(validation::Verdict::DataFault));
+}
+
+// Who repeats it gets the same, whatever the number of threads; a budget must be given again.
+std::string commandOf(const Arguments& arguments) {
+  std::string command = "usarnaoqi diagnose " + arguments.set;
+  if (!arguments.model.empty()) command += " --model " + arguments.model;
+  if (!arguments.joint.empty()) command += " --joint " + arguments.joint;
+  if (!arguments.budget.empty()) command += " --budget " + arguments.budget;
+  return command;
 }
 
 void run(const Arguments& arguments) {
@@ -95,11 +103,15 @@ void run(const Arguments& arguments) {
   options.progress = [](const std::string& what, double part) {
     std::fprintf(stderr, "%3.0f %% %s\n", 100 * part, what.c_str());
   };
-  const auto found = validation::diagnoseJoints(tasksOf(prepared, arguments.joint),
-                                                validation::jointCauses(), options);
-  validation::Provenance provenance{set.name, name, "diagnose"};
+  const auto tasks = tasksOf(prepared, arguments.joint);
+  const auto found = validation::diagnoseJoints(tasks, validation::jointCauses(), options);
+  const validation::Provenance provenance{set.name, name, commandOf(arguments)};
   const std::string json = toJson(found, provenance);
-  if (!arguments.out.empty()) write(arguments.out, json);
+  if (!arguments.out.empty()) {
+    std::filesystem::create_directories(arguments.out);
+    write(arguments.out + "/report.json", json + "\n");
+    write(arguments.out + "/report.html", diagnosisPage(found, tasks, provenance));
+  }
   std::printf("%s", (arguments.json ? json + "\n" : toText(found)).c_str());
   const int code = exitCodeOf(found.verdict);
   if (code != 0) throw CLI::RuntimeError(code);
@@ -122,7 +134,7 @@ void addDiagnose(CLI::App& app) {
   command->add_option("--jobs", arguments->jobs, "Threads; the result is the same for any number.")
       ->check(CLI::PositiveNumber);
   command->add_option("--budget", arguments->budget, "Time to stop after, such as 5min.");
-  command->add_option("--out", arguments->out, "Folder for report.json.");
+  command->add_option("--out", arguments->out, "Folder for report.json and report.html.");
   command->add_option("--robots-dir", arguments->robots_dir, "Where the robots' folders are.")
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "The report instead of text.");

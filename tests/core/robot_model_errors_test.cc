@@ -147,7 +147,7 @@ TEST(BrokenRobot, BodyComplaintsNameTheLine) {
       "broken/body.yaml:@: `cycle`: unknown key, expected one of actuators, aliases, battery, "
       "boards, "
       "body_type, contact_spheres, coupled_limits, cycle_ms, drives, effects, feet, "
-      "fixed_base, frames, groups, imu, like, no_collision, repair_inertia, solids, sonar, "
+      "fixed_base, frames, groups, imu, like, no_collision, noise, repair_inertia, solids, sonar, "
       "variation, version");
   EXPECT_EQ(body("name: LKneePitch", "LKneePitch", "LKnee"),
             "broken/body.yaml:@: `name`: expected a joint of model.urdf, or a `range` beside it, "
