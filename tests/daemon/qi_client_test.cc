@@ -49,8 +49,8 @@ TEST_F(QiClientTest, AsksOtherThingsWhileACallIsUnderWay) {
   client.call("ALMotion", "setStiffnesses", {"ElbowPitch", 1.0F});
   const auto moving =
       client.begin("ALMotion", "angleInterpolation", {"ElbowPitch", 0.25F, 0.5F, true});
-  const Value time = client.call("ALMemory", "getData", {"DCM/Time"});
-  EXPECT_TRUE(time.findNumber());
+  const Value other = client.call("ALMotion", "getStiffnesses", {"ElbowPitch"});
+  EXPECT_TRUE(other.findItems());
   client.finish(moving);
   const Value angles = client.call("ALMotion", "getAngles", {"ElbowPitch", false});
   EXPECT_NEAR(*angles.findItems()->at(0).findNumber(), 0.25, 1e-6);
