@@ -14,6 +14,7 @@
 #include "validation/diagnosis/diagnosis_page.h"
 #include "validation/diagnosis/prepared_set.h"
 #include "validation/log/data_faults.h"
+#include "validation/plot.h"
 
 namespace nao::app {
 namespace {
@@ -70,6 +71,15 @@ void write(const std::string& file, const std::string& text) {
   if (!(out << text).flush()) throw InputError(file + ": can not be written");
 }
 
+// What can not be written or drawn is told before the work.
+void prepareFolder(const std::string& folder) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed) throw InputError("--out " + folder + ": the folder can not be made");
+  write(folder + "/report.json", "");
+  validation::requireGnuplot();
+}
+
 void stopAtFaults(const validation::LogSet& set, const RobotModel& model) {
   const auto faults = validation::findDataFaults(set, &model);
   if (!validation::anyFault(faults)) return;
@@ -91,6 +101,7 @@ void run(const Arguments& arguments) {
   const std::string name = arguments.model.empty() ? set.robot : arguments.model;
   const auto model = loadRobotModel(findSourceFile(arguments.robots_dir), name);
   stopAtFaults(set, *model);
+  if (!arguments.out.empty()) prepareFolder(arguments.out);
   const validation::PreparedSet prepared = validation::prepareSet(set, model, arguments.jobs);
   if (prepared.joints.empty())
     throw InputError(arguments.set + ": no joint was measured in all runs");
@@ -108,7 +119,6 @@ void run(const Arguments& arguments) {
   const validation::Provenance provenance{set.name, name, commandOf(arguments)};
   const std::string json = toJson(found, provenance);
   if (!arguments.out.empty()) {
-    std::filesystem::create_directories(arguments.out);
     write(arguments.out + "/report.json", json + "\n");
     write(arguments.out + "/report.html", diagnosisPage(found, tasks, provenance));
   }

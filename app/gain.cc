@@ -23,7 +23,7 @@ void run(const Options& options) {
   const auto before = loadRobotModel(robots, name);
   const auto after = loadRobotModel(robots, options.after);
   const int openings =
-      validation::openTestRuns(options.set, "gain: " + name + " -> " + options.after);
+      validation::openTestRuns(set, options.set, "gain: " + name + " -> " + options.after);
   const validation::Report report =
       validation::measureGain(set, before, after, openings, options.gain);
   std::printf("%s", (options.json ? toJson(report) + "\n" : toText(report)).c_str());

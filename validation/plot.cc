@@ -155,17 +155,6 @@ class Script {
   std::size_t blocks_ = 0;
 };
 
-void requireGnuplot() {
-  const char* variable = std::getenv("PATH");
-  std::istringstream path(variable ? variable : "");
-  for (std::string folder; std::getline(path, folder, ':');) {
-    if (fs::exists(fs::path(folder) / "gnuplot")) return;
-  }
-  throw InputError(
-      "--plot: pictures are drawn by gnuplot, which is not installed; "
-      "scripts/setup installs it (Debian package gnuplot-nox)");
-}
-
 // A folder of its own for the script, gone at the end.
 class ScratchFolder {
  public:
@@ -194,6 +183,17 @@ Panel makePanel(std::string title, std::string x_label, std::string y_label) {
   panel.x_label = std::move(x_label);
   panel.y_label = std::move(y_label);
   return panel;
+}
+
+void requireGnuplot() {
+  const char* variable = std::getenv("PATH");
+  std::istringstream path(variable ? variable : "");
+  for (std::string folder; std::getline(path, folder, ':');) {
+    if (fs::exists(fs::path(folder) / "gnuplot")) return;
+  }
+  throw InputError(
+      "pictures are drawn by gnuplot, which is not installed; "
+      "scripts/setup installs it (Debian package gnuplot-nox)");
 }
 
 void requirePlot(const std::string& file) {

@@ -46,6 +46,9 @@ struct Picture {
   int height = 560;  // [px]
 };
 
+/// Told before the work: @throws InputError where there is no gnuplot.
+void requireGnuplot();
+
 /// Whether draw() could write this file, told before the work that the picture shows.
 /// @throws InputError for another ending than .svg and .png, without gnuplot, or when the file can
 /// not be written.

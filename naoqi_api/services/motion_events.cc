@@ -14,12 +14,12 @@ using rpc::Value;
 constexpr Duration kPosturePeriod = std::chrono::seconds(1);
 
 constexpr char kMoveFailed[] = "ALMotion/MoveFailed";
-constexpr char kMoveFailedOnce[] = "ALMotion/Safety/MoveFailed";  // as some robots name it
+constexpr char kSafetyMoveFailed[] = "ALMotion/Safety/MoveFailed";  // other robots' name
 
 // ALMotion's events that are no state. Those of sensors no Nao has are declared and never raised.
 constexpr std::array<const char*, 12> kEvents = {
     kMoveFailed,
-    kMoveFailedOnce,
+    kSafetyMoveFailed,
     "PostureChanged",
     "PostureFamilyChanged",
     "ALMotion/Stiffness/wakeUpStarted",
@@ -92,7 +92,7 @@ void MotionEvents::raiseMoveFailed(const motion::MotionState& state) {
   moves_failed_ = state.moves_failed;
   const int status = state.failed_under_way ? 1 : 0;
   if (!is_news) return;
-  for (const char* event : {kMoveFailed, kMoveFailedOnce}) {
+  for (const char* event : {kMoveFailed, kSafetyMoveFailed}) {
     raise(event, Value::list({"Internal stop", status, Value()}));
   }
 }

@@ -388,15 +388,5 @@ TEST_P(EveryNao, NamesAreUnique) {
   EXPECT_TRUE(frames.count("LArm") && frames.count("RLeg") && frames.count("CameraTop"));
 }
 
-TEST(RobotModel, KnowsWhyRepeatsOfOneMotionDiffer) {
-  const auto nao = load("nao_h21_v33");
-  EXPECT_EQ(nao->start_sd, 1e-3);
-  ASSERT_FALSE(nao->noise.empty());
-  EXPECT_EQ(nao->noise[0].name, "process_noise");
-  EXPECT_EQ(nao->noise[0].joints.size(), 12u);  // RHipYawPitch is the left one's motor again
-  EXPECT_TRUE(load("nao_h21_v33_ideal")->noise.empty());
-  EXPECT_FALSE(load("nao_h25_v60")->noise.empty());
-}
-
 }  // namespace
 }  // namespace nao

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/check.h"
+#include "validation/diagnosis/merge_effects.h"
 
 namespace nao::validation {
 namespace {
@@ -83,12 +84,7 @@ Cause boundedAt(const Cause& cause, const JointSimulator& joint,
 
 EffectSetting settingOf(const Cause& cause, const std::vector<double>& numbers) {
   NAO_CHECK(numbers.size() == cause.free.size());
-  EffectSetting setting;
-  setting.name = cause.effect;
-  const sim::EffectType* type = sim::standardEffects().find(cause.effect);
-  if (type != nullptr) {  // what is not free does nothing
-    for (const sim::Parameter& p : type->parameters) setting.parameters[p.name] = p.neutral;
-  }
+  EffectSetting setting = neutralSetting(cause.effect, sim::standardEffects());
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     setting.parameters[cause.free[i].parameter] = shownValue(cause.free[i], numbers[i]);
   }

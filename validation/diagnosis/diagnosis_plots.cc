@@ -5,6 +5,7 @@
 
 #include "core/check.h"
 #include "sim/effects/catalogue.h"
+#include "validation/diagnosis/merge_effects.h"
 
 namespace nao::validation {
 namespace {
@@ -13,12 +14,7 @@ constexpr double kDegree = M_PI / 180;
 constexpr std::size_t kMostBars = 10;
 
 EffectSetting settingOf(const Finding& finding) {
-  EffectSetting setting;
-  setting.name = finding.effect;
-  const sim::EffectType* type = sim::standardEffects().find(finding.effect);
-  if (type != nullptr) {
-    for (const sim::Parameter& p : type->parameters) setting.parameters[p.name] = p.neutral;
-  }
+  EffectSetting setting = neutralSetting(finding.effect, sim::standardEffects());
   for (const FoundNumber& number : finding.numbers) {
     setting.parameters[number.parameter] = number.value;
   }

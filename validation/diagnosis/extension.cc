@@ -54,14 +54,14 @@ class Acceptance {
 
   // A report gives the numbers that were fitted; what was not is as if switched off.
   void take(const Json& cause, const std::vector<Joint>& joints) {
-    EffectSetting setting;
     const std::string id = cause.at("cause");
-    setting.name = cause.value("effect", id.substr(0, id.find('.')));
+    const std::string effect = cause.value("effect", id.substr(0, id.find('.')));
+    if (sim::standardEffects().find(effect) == nullptr) {
+      throw InputError(file_ + ": '" + effect + "' is no effect of the catalogue");
+    }
+    EffectSetting setting = neutralSetting(effect, sim::standardEffects());
     setting.joints = joints;
     setting.place = file_;
-    const sim::EffectType* type = sim::standardEffects().find(setting.name);
-    if (type == nullptr) throw InputError(file_ + ": unknown effect '" + setting.name + "'");
-    for (const sim::Parameter& p : type->parameters) setting.parameters[p.name] = p.neutral;
     for (const Json& number : cause.at("numbers")) {
       setting.parameters.at(number.at("parameter")) = number.at("value");
     }

@@ -27,6 +27,14 @@ std::vector<JointReplay> replayTest(const LogSet& set, std::shared_ptr<const Rob
   return replays;
 }
 
+void requireSameJoints(const std::vector<JointReplay>& before,
+                       const std::vector<JointReplay>& after, const std::string& robot) {
+  const auto same = [](const JointReplay& a, const JointReplay& b) { return a.joint == b.joint; };
+  if (!std::equal(before.begin(), before.end(), after.begin(), after.end(), same)) {
+    throw InputError("--after " + robot + ": expected a robot with the same joints as before");
+  }
+}
+
 // Over all joints: each counts alike.
 double meanOf(const std::vector<JointReplay>& replays, double JointReplay::*error) {
   double sum = 0;
@@ -70,10 +78,6 @@ void addRows(const std::vector<JointReplay>& before, const std::vector<JointRepl
 Report measureGain(const LogSet& set, std::shared_ptr<const RobotModel> before,
                    std::shared_ptr<const RobotModel> after, int openings,
                    const GainOptions& options) {
-  const auto tests = [](const LogRun& run) { return run.split == Split::Test; };
-  if (std::none_of(set.runs.begin(), set.runs.end(), tests)) {
-    throw InputError(set.name + ": no run has the split `test`, expected at least one");
-  }
   Report report;
   report.command = "gain";
   report.robot = after->name;
@@ -81,6 +85,7 @@ Report measureGain(const LogSet& set, std::shared_ptr<const RobotModel> before,
   const std::vector<JointReplay> old_errors = replayTest(set, std::move(before), options);
   const std::vector<JointReplay> new_errors = replayTest(set, std::move(after), options);
   if (old_errors.empty()) throw InputError(set.name + ": no joint was commanded and measured");
+  requireSameJoints(old_errors, new_errors, report.robot);
   const double floor = rootMeanSquare(old_errors, &JointReplay::floor);
   const double old_rmse = rootMeanSquare(old_errors, &JointReplay::rmse);
   const double new_rmse = rootMeanSquare(new_errors, &JointReplay::rmse);
@@ -98,7 +103,11 @@ Report measureGain(const LogSet& set, std::shared_ptr<const RobotModel> before,
   return report;
 }
 
-int openTestRuns(const std::string& set_folder, const std::string& by) {
+int openTestRuns(const LogSet& set, const std::string& set_folder, const std::string& by) {
+  const auto tests = [](const LogRun& run) { return run.split == Split::Test; };
+  if (std::none_of(set.runs.begin(), set.runs.end(), tests)) {
+    throw InputError(set.name + ": no run has the split `test`, expected at least one");
+  }
   const std::string file = set_folder + "/test_openings.txt";
   {
     std::ofstream out(file, std::ios::app);

@@ -18,13 +18,13 @@ struct GainOptions {
 /// nothing else looks at: error of the mean of the simulated runs against the mean of the repeats,
 /// per joint and over all, beside the floor that the repeats' own spread leaves; and where it got
 /// worse. `openings`: how often the test runs have been looked at, this time included.
-/// @throws InputError for a set without test runs.
+/// @throws InputError if the two robots do not have the same joints.
 Report measureGain(const LogSet& set, std::shared_ptr<const RobotModel> before,
                    std::shared_ptr<const RobotModel> after, int openings,
                    const GainOptions& options);
 
 /// Adds a line to the set's record of looks at its test runs; returns how many there are now.
-/// @throws InputError if it can not be written.
-int openTestRuns(const std::string& set_folder, const std::string& by);
+/// @throws InputError for a set without test runs, and if the record can not be written.
+int openTestRuns(const LogSet& set, const std::string& set_folder, const std::string& by);
 
 }  // namespace nao::validation

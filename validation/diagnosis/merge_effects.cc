@@ -93,6 +93,15 @@ void add(std::vector<EffectSetting>& effects, EffectSetting cause, const RobotMo
 
 }  // namespace
 
+EffectSetting neutralSetting(const std::string& effect, const sim::EffectCatalogue& catalogue) {
+  EffectSetting setting;
+  setting.name = effect;
+  const EffectType* type = catalogue.find(effect);
+  if (type == nullptr) return setting;
+  for (const Parameter& p : type->parameters) setting.parameters[p.name] = p.neutral;
+  return setting;
+}
+
 std::vector<EffectSetting> mergedEffects(const RobotModel& model,
                                          const std::vector<EffectSetting>& causes,
                                          const sim::EffectCatalogue& catalogue) {

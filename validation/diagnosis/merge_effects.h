@@ -15,6 +15,9 @@ std::vector<EffectSetting> mergedEffects(const RobotModel& model,
                                          const std::vector<EffectSetting>& causes,
                                          const sim::EffectCatalogue& catalogue);
 
+/// The effect with every parameter at neutral: what is set on top is all that it does.
+EffectSetting neutralSetting(const std::string& effect, const sim::EffectCatalogue& catalogue);
+
 /// How far from neutral the model's own effect already is on this joint; 0 where it has none.
 double presentDeviation(const RobotModel& model, std::size_t joint, const std::string& effect,
                         const std::string& parameter, const sim::EffectCatalogue& catalogue);

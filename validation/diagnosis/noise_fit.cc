@@ -176,15 +176,11 @@ NoiseMoments momentsOf(const std::vector<JointMotion>& motions) {
 }
 
 NoiseComparison compareNoise(const JointSimulator& joint, const JointNoise& noise) {
-  std::vector<JointMotion> measured;
-  for (const JointMotion& motion : joint.measured()) {
-    if (counts(motion)) measured.push_back(motion);
-  }
-  return {momentsOf(measured), momentsOf(simulatedRepeats(joint, noise))};
+  return {momentsOf(joint.measured()), momentsOf(simulatedRepeats(joint, noise))};
 }
 
 JointNoise fitNoise(const JointSimulator& joint, const JointNoise& first) {
-  const NoiseMoments measured = compareNoise(joint, first).measured;
+  const NoiseMoments measured = momentsOf(joint.measured());
   if (measured.covariance.empty()) return first;
   JointNoise start = first;
   if (start.torque_sd <= 0) start.torque_sd = 0.02;  // [N m] anything that moves the joint
