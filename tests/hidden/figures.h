@@ -24,7 +24,9 @@ struct Figures {
   int pairs = 0, pairs_both_found = 0, pairs_named = 0, pairs_named_right = 0;
   int unknowns = 0, unknowns_flagged = 0, signature_in_first_two = 0;
   int data_fault_sets = 0, data_faults_found = 0;
-  int skipped = 0, failed = 0, unfinished = 0;
+  int mujoco_singles = 0, mujoco_singles_exact = 0, mujoco_singles_named_wrong = 0;
+  int mujoco_nulls = 0, mujoco_null_false_alarms = 0;
+  int diagnoses = 0, skipped = 0, failed = 0, unfinished = 0;
   int intervals = 0, intervals_covering = 0;
   int gains = 0, within_1_3_floor = 0;
   double set_size_mean = 0, parameter_error_median = 0, parameter_error_p90 = 0,

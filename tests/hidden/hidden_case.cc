@@ -43,8 +43,22 @@ const char* nameOf(Kind kind) {
       return "stranger";
     case Kind::DataFault:
       return "data_fault";
+    case Kind::MujocoExactNull:
+      return "mujoco_exact_null";
+    case Kind::MujocoNull:
+      return "mujoco_null";
+    case Kind::MujocoSingle:
+      return "mujoco_single";
   }
   return "";
+}
+
+bool HiddenCase::isMujoco() const {
+  return kind == Kind::MujocoExactNull || kind == Kind::MujocoNull || kind == Kind::MujocoSingle;
+}
+
+bool HiddenCase::isExactNull() const {
+  return kind == Kind::ExactNull || kind == Kind::MujocoExactNull;
 }
 
 std::string HiddenCase::name() const {

@@ -8,9 +8,21 @@
 
 namespace nao::hidden {
 
-enum class Kind { ExactNull, NearNull, Single, WeakSingle, Pair, Stranger, DataFault };
+enum class Kind {
+  ExactNull,
+  NearNull,
+  Single,
+  WeakSingle,
+  Pair,
+  Stranger,
+  DataFault,
+  MujocoExactNull,
+  MujocoNull,
+  MujocoSingle
+};
 
-/// "exact_null", "near_null", "single", "weak_single", "pair", "stranger", "data_fault".
+/// "exact_null", "near_null", "single", "weak_single", "pair", "stranger", "data_fault",
+/// "mujoco_exact_null", "mujoco_null", "mujoco_single".
 const char* nameOf(Kind kind);
 
 /// What is done to the data themselves.
@@ -35,6 +47,8 @@ struct HiddenCase {
   double seconds = 6;      // of each motion
   bool reference = false;  // made in the reference mode, from the robot as on its drawings
 
+  bool isMujoco() const;     // its reality is MuJoCo
+  bool isExactNull() const;  // not even undeclared differences
   /// The nominal model, of robots/.
   std::string robot() const { return reference ? "nao_h21_v33_ideal" : "nao_h21_v33"; }
   /// 16 letters and digits that say nothing.

@@ -6,6 +6,7 @@
 #include "core/check.h"
 #include "core/random.h"
 #include "tests/hidden/laws/laws.h"
+#include "tests/hidden/mujoco/recording.h"
 #include "validation/log/simulated_recording.h"
 #include "validation/suspended.h"
 
@@ -84,17 +85,13 @@ double rmsWhereActing(const std::vector<double>& a, const std::vector<double>& b
   return count == 0 ? 0 : std::sqrt(squares / static_cast<double>(count));
 }
 
-// The same for the limbs that hold the written joints alone, fit motions only, each once: answers
-// the same, at a small part of the cost.
+// The same for the limbs that hold the written joints alone: answers the same at less cost.
 RecordingPlan limbOf(const RecordingPlan& plan) {
   RecordingPlan limb = plan;
   const auto cut = std::make_shared<RobotModel>(
       validation::cutLimbs(validation::stripped(*plan.model), plan.joints));
   limb.model = cut;
-  limb.repeats = 1;
-  limb.motions.clear();
-  for (RecordedMotion motion : plan.motions) {
-    if (motion.split != validation::Split::Fit) continue;
+  for (RecordedMotion& motion : limb.motions) {
     motion.angles = [whole = plan.model, cut, all = motion.angles](double t) {
       const JointArray<double> angle = all(t);
       JointArray<double> kept(cut->jointCount());
@@ -103,9 +100,17 @@ RecordingPlan limbOf(const RecordingPlan& plan) {
       }
       return kept;
     };
-    limb.motions.push_back(motion);
   }
   return limb;
+}
+
+// Fit motions only, each once.
+RecordingPlan shortened(RecordingPlan plan) {
+  plan.repeats = 1;
+  const auto is_other = [](const RecordedMotion& m) { return m.split != validation::Split::Fit; };
+  plan.motions.erase(std::remove_if(plan.motions.begin(), plan.motions.end(), is_other),
+                     plan.motions.end());
+  return plan;
 }
 
 class Maker {
@@ -126,13 +131,14 @@ class Maker {
     plan_.effects = &hiddenEffects();
     plan_.extra = {
         {"process_noise", {{"sd", truth_.torque_sd}, {"time", truth_.torque_time}}, {}, ""}};
-    if (hidden.kind != Kind::ExactNull) addUndeclaredDifferences(*robot, hidden.seed);
+    if (!hidden.isExactNull()) addUndeclaredDifferences(*robot, hidden.seed);
     plan_.model = robot;
     plan_.start_sd = truth_.start_sd;
     plan_.joints = hidden.joints;
     plan_.motions = motionsOf(robot, hidden.joints, hidden.seconds);
     if (hidden.reference) plan_.mode = sim::Mode::Reference;
-    limb_ = limbOf(plan_);
+    if (hidden.isMujoco()) plan_ = limbOf(plan_);
+    limb_ = shortened(hidden.isMujoco() ? plan_ : limbOf(plan_));
   }
 
   HiddenSet make() {
@@ -141,7 +147,7 @@ class Maker {
     RecordingPlan plan = plan_;
     plan.repeats = hidden_.repeats;
     plan.seed = 2 + static_cast<std::uint64_t>(Random(hidden_.seed, "runs").uniform() * 1e15);
-    HiddenSet made{validation::recordSimulated(plan), truth_};
+    HiddenSet made{record(plan), truth_};
     spoilData(made.set, hidden_.spoil);
     return made;
   }
@@ -153,7 +159,11 @@ class Maker {
     RecordingPlan plan = limb_;
     plan.extra.insert(plan.extra.end(), effects.begin(), effects.end());
     plan.seed = seed;
-    return validation::recordSimulated(plan);
+    return record(plan);
+  }
+
+  LogSet record(const RecordingPlan& plan) const {
+    return hidden_.isMujoco() ? recordMujoco(plan) : validation::recordSimulated(plan);
   }
 
   // What the effect changes, in SDs of the measured mean, at the joint where that is most.

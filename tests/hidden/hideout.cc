@@ -75,7 +75,7 @@ double smallestOf(const Hideout& hideout) {
   for (const sim::Parameter& parameter : type->parameters) {
     if (parameter.name == hideout.parameter) return kMargin * parameter.smallest;
   }
-  return 0;
+  return kMargin * type->parameters.front().smallest;  // of a law that calls its number otherwise
 }
 
 // Leaves out what this version of the simulator does not have.
@@ -187,6 +187,38 @@ std::vector<Hideout> strangerHideouts() {
       stranger("hidden_command_hysteresis", 0.03, 0.4, {"sgn v"}),
       stranger("hidden_eccentric_encoder", 0.03, 0.25, {"q", "sin and cos of"}),
   });
+}
+
+std::vector<Hideout> mujocoHideouts() {
+  std::vector<Hideout> all{
+      way("coulomb_friction", "mujoco_friction_loss", "torque", 0.1, 3),
+      way("viscous_friction", "mujoco_damping", "coefficient", 0.1, 5),
+      way("motor_inertia", "mujoco_armature", "part", 0.5, 8),
+      way("joint_stop.upper", "mujoco_range", "upper", -0.2, -1.5),
+      way("joint_stop.lower", "mujoco_range", "lower", 0.2, 1.5),
+      way("command_latency", "mujoco_delay", "delay", 0.01, 0.2),
+      everywhere(way("command_latency", "mujoco_delay", "delay", 0.01, 0.2)),
+      everywhere(way("sensor_delay", "mujoco_late_report", "delay", 0.01, 0.2)),
+      way("command_filter", "mujoco_filter", "time", 0.02, 0.5),
+      way("kp_error", "mujoco_gain", "part", 0.3, 3),
+      way("kp_error", "mujoco_gain", "part", -0.3, -0.9),
+      way("kd_error", "mujoco_derivative", "part", 0.5, 9),
+      way("torque_limit", "mujoco_weakness", "part", -0.4, -0.97),
+      way("backlash", "mujoco_play", "width", 0.02, 0.2),
+      way("encoder_offset", "mujoco_turned_encoder", "angle", 0.012, 0.2),
+      way("encoder_offset", "mujoco_turned_encoder", "angle", -0.012, -0.2),
+      way("cable_spring", "mujoco_spring", "stiffness", 0.4, 10),
+      way("torque_bias", "mujoco_bias", "torque", -0.15, -3),
+      way("link_mass", "mujoco_mass", "part", 0.3, 5),
+      everywhere(way("gravity_scale", "mujoco_gravity", "part", 0.3, 3)),
+      everywhere(way("ground_tilt.x", "mujoco_tilt", "x", 0.1, 0.55)),
+      everywhere(way("ground_tilt.y", "mujoco_tilt", "y", 0.1, 0.55)),
+  };
+  for (Hideout& hideout : all) {
+    hideout.least = smallestOf(hideout);
+    hideout.comparable = false;
+  }
+  return all;
 }
 
 EffectSetting settingAt(const Hideout& hideout, double deviation, const RobotModel& model,

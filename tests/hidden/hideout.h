@@ -32,6 +32,8 @@ std::vector<Hideout> catalogueHideouts();
 std::vector<Hideout> likenessHideouts();
 /// Causes that no entry of the catalogue stands for.
 std::vector<Hideout> strangerHideouts();
+/// Causes of the catalogue by MuJoCo's laws and those of its motors: names count, numbers do not.
+std::vector<Hideout> mujocoHideouts();
 
 /// The hideout's effect at a deviation from neutral, on `joint` or on the whole robot.
 EffectSetting settingAt(const Hideout& hideout, double deviation, const RobotModel& model,

@@ -5,6 +5,7 @@
 
 #include "core/check.h"
 #include "core/random.h"
+#include "tests/hidden/mujoco/recording.h"
 
 namespace nao::hidden {
 namespace {
@@ -44,6 +45,12 @@ class Dealer {
     for (int i = 0; i < counts.pairs; ++i) addPair();
     for (int i = 0; i < counts.strangers; ++i) addStranger(i);
     for (int i = 0; i < counts.data_faults; ++i) addDataFault(i);
+    if (hasMujoco()) {
+      for (int i = 0; i < counts.mujoco_nulls; ++i) {
+        addNull(i % 2 == 0 ? Kind::MujocoExactNull : Kind::MujocoNull, i);
+      }
+      for (int i = 0; i < counts.mujoco_singles; ++i) addMujocoSingle();
+    }
     shuffle();
     return std::move(cases_);
   }
@@ -66,7 +73,7 @@ class Dealer {
     HiddenCase& hidden = add(kind);
     const auto n = static_cast<std::size_t>(i);
     hidden.joints = i % 4 == 3 ? groups()[n / 4 % groups().size()] : places()[n % places().size()];
-    hidden.reference = i % 10 == 5;
+    hidden.reference = i % 10 == 5 && !hidden.isMujoco();
   }
 
   void place(HiddenCase& hidden, std::size_t first) {
@@ -115,6 +122,12 @@ class Dealer {
     hidden.other_places.clear();
   }
 
+  void addMujocoSingle() {
+    HiddenCase& hidden = add(Kind::MujocoSingle);
+    hidden.wishes = {{next(mujoco_, at_mujoco_), sizeOfSingle()}};
+    place(hidden, pick(places().size()));
+  }
+
   void addPair() {
     HiddenCase& hidden = add(Kind::Pair);
     const Hideout* first = &next(own_, at_own_);
@@ -148,17 +161,19 @@ class Dealer {
   std::uint64_t seed_;
   Random random_;
   std::vector<Hideout> own_ = catalogueHideouts(), likeness_ = likenessHideouts(),
-                       strangers_ = strangerHideouts(), faint_ = faint(own_);
-  std::size_t at_own_ = kNowhere, at_likeness_ = kNowhere, at_faint_ = kNowhere;
+                       strangers_ = strangerHideouts(), faint_ = faint(own_),
+                       mujoco_ = mujocoHideouts();
+  std::size_t at_own_ = kNowhere, at_likeness_ = kNowhere, at_faint_ = kNowhere,
+              at_mujoco_ = kNowhere;
   std::vector<HiddenCase> cases_;
 };
 
 }  // namespace
 
 Counts countsOf(const std::string& preset) {
-  if (preset == "quick") return {1, 1, 4, 1, 1, 1, 1};
-  if (preset == "standard") return {40, 40, 140, 20, 25, 20, 15};
-  if (preset == "full") return {150, 150, 300, 60, 60, 56, 24};
+  if (preset == "quick") return {1, 1, 4, 1, 1, 1, 1, 1, 1};
+  if (preset == "standard") return {36, 36, 130, 20, 25, 20, 15, 4, 14};
+  if (preset == "full") return {150, 150, 300, 60, 60, 56, 24, 20, 50};
   throw InputError("--preset: expected quick, standard or full, found '" + preset + "'");
 }
 

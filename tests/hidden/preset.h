@@ -11,7 +11,7 @@ namespace nao::hidden {
 /// How many sets of each kind.
 struct Counts {
   int exact_nulls = 0, near_nulls = 0, singles = 0, weak_singles = 0, pairs = 0, strangers = 0,
-      data_faults = 0;
+      data_faults = 0, mujoco_nulls = 0, mujoco_singles = 0;
 };
 
 /// "quick", "standard" or "full". @throws InputError for another word.
@@ -19,7 +19,7 @@ Counts countsOf(const std::string& preset);
 
 /// The sets of a preset, in an order that says nothing. A third of the singles hide in laws that
 /// are written separately; singles go round all causes and a dozen joints; a tenth of the nulls
-/// comes from the reference mode.
+/// comes from the reference mode. Sets of MuJoCo come only where it is installed.
 std::vector<HiddenCase> makeCases(const Counts& counts, std::uint64_t seed);
 
 }  // namespace nao::hidden
