@@ -23,6 +23,7 @@ struct BodyPlan {
         obstacles(world.obstacles),
         transmissions(nominal.jointCount()),
         servo_deadband(nominal.jointCount()),
+        duty_root(nominal.jointCount()),
         joint_zero(nominal.jointCount()) {}
 
   RobotModel model;
@@ -32,6 +33,7 @@ struct BodyPlan {
   std::vector<Obstacle> obstacles;
   JointArray<Transmission> transmissions;
   JointArray<double> servo_deadband;  // [rad] errors up to this move nothing
+  JointArray<double> duty_root;       // part of the duty that follows the root of the error
   JointArray<double> joint_zero;      // [rad] where the joint is when its encoder says 0
   double linear_damping = 0;          // [1/s] a = -c v of every body
   double angular_damping = 0;         // [1/s]

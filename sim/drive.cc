@@ -14,8 +14,7 @@ Drive::Drive(const BodyPlan& plan, int root_speeds)
     const Actuator& actuator = plan.model.actuators[j];
     const std::vector<int>& hinges = actuator.coordinates;
     if (hinges.empty()) continue;
-    motors_.emplace_back(actuator, plan.transmissions[j], plan.servo_deadband[j],
-                         plan.joint_zero[j]);
+    motors_.emplace_back(plan, j);
     const double share = 1.0 / static_cast<double>(hinges.size());
     places_.push_back({j, hinges[0], {}, share, actuator.board});
     for (const int c : hinges) places_.back().speeds.push_back(root_speeds + c);

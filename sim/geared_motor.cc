@@ -13,19 +13,26 @@ constexpr double kHold = 0.05;
 constexpr double kRest = 1e6;
 // [N m/rad] A gear with play alone touches as hard as a joint's stop: 3 N m bend it 0.01 degrees.
 constexpr double kHardGear = 2e4;
+// The duty of one step of the pulse width, 1/885 in a Dynamixel XL330 (data sheet): less is none.
+constexpr double kLeastDuty = 1.0 / 885;
 constexpr int kChanges = 2;  // of mind within one step, so that a step always ends
 
 }  // namespace
 
-GearedMotor::GearedMotor(const Actuator& a, const Transmission& gear, double deadband, double zero)
+GearedMotor::GearedMotor(const BodyPlan& plan, std::size_t joint)
+    : GearedMotor(plan.model.actuators[joint], plan.transmissions[joint]) {
+  deadband_ = plan.servo_deadband[joint];
+  duty_root_ = plan.duty_root[joint];
+  zero_ = plan.joint_zero[joint];
+}
+
+GearedMotor::GearedMotor(const Actuator& a, const Transmission& gear)
     : kp_(a.kp),
       kd_(a.kd),
       stall_(a.stall_torque),
       efficiency_(a.efficiency),
       no_load_(a.no_load_speed),
       rotor_(a.rotor_inertia),
-      deadband_(deadband),
-      zero_(zero),
       soft_(gear.play > 0 || gear.stiffness > 0),
       half_play_(gear.play / 2),
       stiffness_(gear.stiffness > 0 ? gear.stiffness : kHardGear),
@@ -68,12 +75,26 @@ void GearedMotor::prepareServo(const Input& input) {
     if (std::abs(error) <= deadband_) kp = 0;
     error -= std::copysign(std::min(std::abs(error), deadband_), error);
   }
-  servo_ = kp * (error - h_ * rate_) - kd_ * rate_;
+  double torque = kp * error;
+  if (duty_root_ > 0 && kp > 0) bendServo(error, torque, kp);
+  servo_ = torque - (kp * h_ + kd_) * rate_;
   servo_change_ = kp * h_ + kd_;
   const double limit = stiffness * efficiency_ * stall_ * input.torque_part;
   const double ratio = rate_ / (no_load_ * std::max(input.speed_part, 1e-3));
   limit_up_ = limit * std::clamp(1 - ratio, 0.0, 1.0);
   limit_down_ = limit * std::clamp(1 + ratio, 0.0, 1.0);
+}
+
+// A line up to the smallest duty, where the root has no slope; all of it beyond full duty.
+void GearedMotor::bendServo(double error, double& torque, double& slope) const {
+  const double most = efficiency_ * stall_;
+  const double duty = std::abs(kp_ * error) / std::max(most, 1e-9);
+  if (duty >= 1) return;
+  const double root = std::sqrt(std::max(duty, kLeastDuty));
+  const double part = duty < kLeastDuty ? duty / root : root;
+  const double rise = duty < kLeastDuty ? 1 / root : 0.5 / root;
+  torque = (1 - duty_root_) * torque + duty_root_ * std::copysign(most * part, error);
+  slope *= 1 - duty_root_ + duty_root_ * rise;
 }
 
 void GearedMotor::prepareFriction(const Input& input) {

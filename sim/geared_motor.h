@@ -8,7 +8,8 @@ namespace nao::sim {
 
 /// One motor with its gear, linearly implicit in angle and rate over a step of h:
 ///   servo      kp (command - theta) - kd theta',  at most stiffness * efficiency * stall *
-///              (1 - |theta'| / no-load speed while driving)
+///              (1 - |theta'| / no-load speed while driving); a part `duty_root` of its duty
+///              d = kp (command - theta) / (efficiency * stall) may be sign(d) sqrt|d| instead
 ///   friction   as much of its budget as stops the motion, never more: it really sticks
 ///   gear       rigid; or with play and compliance: then the rotor's angle theta is a state of its
 ///              own, and T = k deadzone(theta - q) + d (theta' - q') turns the link. theta' is
@@ -17,7 +18,7 @@ namespace nao::sim {
 /// of its stall torque and brakes like a shorted one, stall / no-load speed per rad/s.
 class GearedMotor {
  public:
-  GearedMotor(const Actuator& actuator, const Transmission& gear, double deadband, double zero);
+  GearedMotor(const BodyPlan& plan, std::size_t joint);
 
   /// What a step starts from.
   struct Input {
@@ -60,8 +61,10 @@ class GearedMotor {
   void archive(Archive& archive);
 
  private:
+  GearedMotor(const Actuator& actuator, const Transmission& gear);
   enum class Grip : std::uint64_t { None, Stuck, Sliding };  // of friction; no padding
   void prepareServo(const Input& input);
+  void bendServo(double error, double& torque, double& slope) const;
   void prepareFriction(const Input& input);
   void prepareGear(const Input& input);
   void slide(double direction);
@@ -74,7 +77,8 @@ class GearedMotor {
   double frictionNow() const;
   double frictionChange() const;
 
-  double kp_, kd_, stall_, efficiency_, no_load_, rotor_, deadband_, zero_;
+  double kp_, kd_, stall_, efficiency_, no_load_, rotor_;
+  double deadband_ = 0, duty_root_ = 0, zero_ = 0;
   bool soft_;
   double half_play_, stiffness_, damping_;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/check.h"
+#include "sim/effects/coupled_stop.h"
 #include "sim/joint_rig_run.h"
 
 namespace nao::sim {
@@ -90,6 +91,14 @@ JointRig::JointRig(const RobotModel& model, Joint joint, Duration row, Duration 
     limit.limited = toJoint(0);
     cut_.coupled_limits.push_back(std::move(limit));
   }
+  keepCoupling(model, joint);
+}
+
+// Without a limit of its own: whom an effect may couple it to.
+void JointRig::keepCoupling(const RobotModel& model, Joint joint) {
+  const std::optional<Joint> other = findCoupledTo(model, joint);
+  if (!cut_.coupled_limits.empty() || !other || kept_.count(*other) == 0) return;
+  cut_.coupled_limits.push_back({kept_.at(*other), toJoint(0), {}, false, false});
 }
 
 std::vector<EffectSetting> JointRig::cut(const std::vector<EffectSetting>& settings,

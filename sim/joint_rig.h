@@ -78,6 +78,7 @@ class JointRig {
   Duration step() const { return step_; }
 
  private:
+  void keepCoupling(const RobotModel& model, Joint joint);
   std::vector<EffectSetting> cut(const std::vector<EffectSetting>& settings,
                                  const EffectCatalogue& catalogue) const;
 

@@ -66,8 +66,7 @@ JointRigRun::JointRigRun(const RobotModel& model, Duration step, EffectChain& ef
       orders_(orders),
       load_(load),
       plan_(makePlan(model, effects)),
-      motor_(plan_.model.actuators[0], plan_.transmissions[0], plan_.servo_deadband[0],
-             plan_.joint_zero[0]),
+      motor_(plan_, 0),
       rotor_(motor_.soft() ? 0 : plan_.model.actuators[0].rotor_inertia),
       stops_(plan_.model, 0),
       lower_(plan_.model.coordinates[0].lower + kNear),
@@ -90,7 +89,10 @@ JointRigRun::JointRigRun(const RobotModel& model, Duration step, EffectChain& ef
       JointArray<double>(model.jointCount(), orders.stiffness.empty() ? 1 : orders.stiffness[0]);
   followed_ = sent_;
   frame_.angle = JointArray<double>(model.jointCount());
-  if (plan_.model.coupled_limits.empty()) return;
+  const auto& limits = plan_.model.coupled_limits;
+  if (std::none_of(limits.begin(), limits.end(), [](const auto& limit) { return limit.stop; })) {
+    return;
+  }
   lower_ = 1, upper_ = -1;  // look at them always
   for (std::size_t j = 1; j < model.jointCount(); ++j) {
     const auto other = load.others.find(model.actuators[j].name);

@@ -53,6 +53,10 @@ EffectType jointStop();
 EffectType cogging();
 EffectType cableSpring();
 EffectType torqueBias();
+EffectType quadraticLoadFriction();
+EffectType directionalLoadFriction();
+EffectType coupledStop();
+EffectType dutyRoot();
 
 const EffectCatalogue& standardEffects() {
   static const EffectCatalogue catalogue = [] {
@@ -107,6 +111,10 @@ const EffectCatalogue& standardEffects() {
     all.add(cogging());
     all.add(jointStop());
     all.add(integralGain());
+    all.add(dutyRoot());
+    all.add(coupledStop());
+    all.add(directionalLoadFriction());
+    all.add(quadraticLoadFriction());
     return all;
   }();
   return catalogue;

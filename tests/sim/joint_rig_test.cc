@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/effects/catalogue.h"
+#include "sim/effects/coupled_stop.h"
 #include "sim/world.h"
 #include "tests/support/models.h"
 
@@ -113,6 +114,8 @@ TEST(JointRig, IsTheWorldOfOneHinge) { expectAgreement({}); }
 TEST(JointRig, RubsAsTheWorldDoes) {
   expectAgreement({effect("coulomb_friction", {{"torque", 0.2}}), effect("viscous_friction")});
   expectAgreement({effect("stribeck_friction", {{"torque", 0.2}}), effect("load_friction")});
+  expectAgreement({effect("directional_load_friction", {{"braking", 0.05}}),
+                   effect("quadratic_load_friction", {{"coefficient", 0.2}})});
 }
 
 TEST(JointRig, HasTheWorldsGears) {
@@ -128,6 +131,7 @@ TEST(JointRig, HearsAndReportsAsLateAsTheWorld) {
 
 TEST(JointRig, HasTheWorldsServo) {
   // A servo at the edge of its dead band is soft.
+  expectAgreement({effect("duty_root")});
   expectAgreement({effect("kp_error"), effect("servo_deadband"), effect("torque_limit"),
                    effect("voltage_sag"), effect("thermal_derating"), effect("encoder_offset")},
                   1e-4);
@@ -208,6 +212,55 @@ TEST(JointRig, OfEffectsThatCannotActOnOneJointNoneDoes) {
   EXPECT_EQ(rig.run({effect("imu_bias"), effect("fsr_gain")}, orders(), load, {}, 100ms).angle,
             plain.angle);
   EXPECT_THROW(rig.run({effect("unheard_of")}, orders(), load, {}, 100ms), InputError);
+}
+
+// The elbow is told to stretch while its stop comes in as the shoulder rolls, in World and rig.
+TEST(JointRig, MeetsAStopThatMovesWithTheJointItHangsOn) {
+  auto model = std::make_shared<RobotModel>(*nao::test::robot("arm"));
+  std::size_t limited = 0;
+  std::optional<Joint> other;
+  for (; limited < model->jointCount() && !other; ++limited) {
+    other = findCoupledTo(*model, toJoint(limited));
+  }
+  ASSERT_TRUE(other);
+  --limited;
+  const Coordinate& hinge =
+      model->coordinates[static_cast<std::size_t>(model->actuators[limited].coordinates[0])];
+  const double range = hinge.upper - hinge.lower, place = 0.1, slope = 0.4 * range;
+  const EffectSetting stop{
+      "coupled_stop", {{"upper", slope}, {"place", place}}, {toJoint(limited)}, ""};
+  model->effects = {stop};
+  const auto bend = [](int row) { return 0.002 * std::max(0, row); };  // [rad] of the other
+  JointArray<double> angle(model->jointCount());
+  angle[limited] = hinge.upper;
+  WorldOptions options(1ms);
+  World world(nao::test::flatWorld(), {{model->name, model, {}}}, options);
+  world.placeRobot(0, {}, &angle);
+  std::map<std::size_t, double> truth;  // by row, where the stop carries all the servo gives
+  constexpr double kDeep = 0.1;         // [rad]
+  JointOrders orders{std::vector<double>(kRows, hinge.upper), {}};
+  JointLoad load;
+  load.inertia.assign(kRows, 0.01);
+  load.torque = load.slope = load.reference = std::vector<double>(kRows, 0.0);
+  const Duration row = model->cycle;
+  for (int k = 0; k < kRows; ++k) {
+    const SensorFrame frame = world.readSensors(0);
+    load.others[model->actuators[index(*other)].name].push_back(frame.angle[*other]);
+    const double inside = std::max(0.0, slope * (frame.angle[*other] - place));
+    // A motor of 60 N m presses a stop of 2e4 N m/rad in by 3 mrad, and its damping holds it back.
+    if (inside > kDeep) {
+      EXPECT_NEAR(frame.angle[limited], hinge.upper - inside, 5e-3) << k;
+      truth[static_cast<std::size_t>(k)] = frame.angle[limited];
+    }
+    angle[*other] = bend(k);
+    world.setCommand(0, {angle, JointArray<double>(model->jointCount(), 1.0)});
+    for (long i = row / 1ms; i > 0; --i) world.step();
+  }
+  EXPECT_GT(bend(kRows), place + 0.3);
+  const JointRig rig(*model, toJoint(limited), row, 1ms, {model->actuators[index(*other)].name});
+  const auto angles = rig.run({stop}, orders, load, {}, 10 * row).angle;
+  EXPECT_GT(truth.size(), 100u);
+  for (const auto& [k, met] : truth) EXPECT_NEAR(angles[k], met, 1e-3) << k;
 }
 
 TEST(JointRig, TakesTheAngleOfTheJointThatLimitsIt) {

@@ -122,14 +122,14 @@ void addGear(std::vector<Cause>& all) {
   all.push_back(byGrid(part("joint_stop", "lower", {0.1, 0.3, 0.6},
                             "{joint}'s lower stop is moved by {value}",
                             "a slow approach to the stop from inside")));
-  all.push_back(byGrid(shaped(part("coupled_stop", "upper", {-0.1, -0.3},
-                                   "{joint} is stopped {value} early where another joint is bent",
-                                   "hold this joint's command, sweep the other"),
-                              "slope", {0, 0.5, -0.5})));
-  all.push_back(byGrid(shaped(part("coupled_stop", "lower", {0.1, 0.3},
-                                   "{joint} is stopped {value} early where another joint is bent",
-                                   "hold this joint's command, sweep the other"),
-                              "slope", {0, 0.5, -0.5})));
+  for (const char* end : {"upper", "lower"}) {
+    all.push_back(
+        byGrid(shaped(part("coupled_stop", end, {0.5, -0.5},
+                           std::string("{joint}'s ") + end +
+                               " stop moves inwards by {value} where the joint it hangs on is bent",
+                           "hold this joint's command, sweep the other"),
+                      "place", {0, -0.6, 0.6})));
+  }
 }
 
 void addLoad(std::vector<Cause>& all) {

@@ -7,6 +7,7 @@
 #include "core/check.h"
 #include "core/memo.h"
 #include "core/random.h"
+#include "sim/effects/coupled_stop.h"
 #include "validation/diagnosis/merge_effects.h"
 
 namespace nao::validation {
@@ -71,6 +72,8 @@ class RigSimulator::Loads {
     for (const CoupledLimit& limit : set.model().coupled_limits) {
       if (limit.limited == joint) others_.push_back(limit.driver);
     }
+    const auto coupled = sim::findCoupledTo(set.model(), joint);
+    if (others_.empty() && coupled) others_.push_back(*coupled);
   }
 
   std::vector<std::string> others() const {

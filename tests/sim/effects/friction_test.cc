@@ -101,6 +101,48 @@ TEST(LoadFriction, IsTheSameShareOfEveryLoad) {
   }
 }
 
+// The torque of the motor that moves the rod slowly through level, along its weight or against.
+double torqueThroughLevel(const EffectSetting& friction, double mass, double direction) {
+  constexpr double kRate = 0.2;  // [rad/s]
+  Rig rig(nao::test::pendulum(mass, kLength), {friction}, kGravity);
+  const double start = -direction * 0.1;
+  rig.body().place({}, JointArray<double>(1, start));
+  for (int i = 0; i < 500; ++i) {
+    rig.command.angle[0] = start + direction * kRate * i * kStep;
+    rig.step();
+  }
+  return rig.motorTorque();
+}
+
+TEST(DirectionalLoadFriction, RubsByOneShareLiftingAndByAnotherLowering) {
+  const EffectSetting friction =
+      effect("directional_load_friction", {{"motoring", 0.3}, {"braking", 0.1}});
+  const double weight = 0.5 * kGravity * kLength;  // towards larger angles
+  EXPECT_NEAR(torqueThroughLevel(friction, 0.5, -1), -weight * 1.3, 0.02 * weight);
+  EXPECT_NEAR(torqueThroughLevel(friction, 0.5, 1), -weight * 0.9, 0.02 * weight);
+}
+
+TEST(DirectionalLoadFriction, OfEqualSharesIsLoadFriction) {
+  const EffectSetting equal =
+      effect("directional_load_friction", {{"motoring", 0.2}, {"braking", 0.2}});
+  for (const double direction : {1.0, -1.0}) {
+    EXPECT_DOUBLE_EQ(torqueThroughLevel(equal, 0.5, direction),
+                     torqueThroughLevel(effect("load_friction", {{"share", 0.2}}), 0.5, direction));
+  }
+}
+
+TEST(QuadraticLoadFriction, GrowsWithTheSquareOfTheLoad) {
+  constexpr double kCoefficient = 0.1;  // [1/(N m)]
+  const EffectSetting friction = effect("quadratic_load_friction", {{"coefficient", kCoefficient}});
+  for (const double mass : {0.5, 1.0}) {
+    const double weight = mass * kGravity * kLength;
+    const double budget = kCoefficient * weight * weight;
+    const double difference =
+        torqueThroughLevel(friction, mass, 1) - torqueThroughLevel(friction, mass, -1);
+    EXPECT_NEAR(difference, 2 * budget, 0.06 * budget) << mass;
+  }
+}
+
 TEST(FrictionAsymmetry, SlowsOneDirectionOnly) {
   for (const double torque : {0.04, -0.04}) {
     Rig forward(freeRod(kMass, kLength), {effect("friction_asymmetry", {{"torque", torque}})});

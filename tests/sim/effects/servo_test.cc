@@ -53,6 +53,26 @@ TEST(ServoDeadband, LeavesARodAloneThatIsNearEnough) {
   EXPECT_DOUBLE_EQ(rig.angle(), 0.009);
 }
 
+// d = kp e / T_max of the servo holds (1 - part) d + part sqrt(d) = pull / T_max.
+TEST(DutyRoot, HoldsALoadWithTheRootOfTheError) {
+  for (const double pull : {0.2, -0.2, 2.0}) {
+    const double error = sag({effect("duty_root", {{"part", 1}})}, pull);
+    EXPECT_NEAR(error, std::copysign(pull * pull / mostTorque() / kp(), pull), 1e-7) << pull;
+    const double half = sag({effect("duty_root", {{"part", 0.5}})}, pull);
+    const double duty = kp() * std::abs(half) / mostTorque();
+    EXPECT_NEAR(0.5 * duty + 0.5 * std::sqrt(duty), std::abs(pull) / mostTorque(), 1e-7) << pull;
+  }
+}
+
+TEST(DutyRoot, ChangesNothingOfAMotorAtItsLimit) {
+  for (const double part : {0.0, 1.0}) {
+    Rig rig(arm(), {effect("duty_root", {{"part", part}})});
+    rig.command.angle[0] = 3;
+    rig.step();
+    EXPECT_NEAR(rig.motorTorque(), mostTorque(), 1e-9) << part;
+  }
+}
+
 TEST(TorqueLimit, ScalesTheMostTheMotorGives) {
   Rig rig(arm(), {effect("torque_limit", {{"part", 0.6}})});
   rig.command.angle[0] = 3;
