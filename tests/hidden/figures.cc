@@ -67,6 +67,8 @@ void addSingle(const Json& line, Figures& f, Lists& lists) {
   f.singles_truth_in_set += score.at("truth_in_set").get<bool>();
   f.singles_ambiguous += score.at("ambiguous").get<bool>();
   f.singles_unknown += score.at("unknown").get<bool>();
+  f.singles_with_look_alikes += !line.at("truth").at("hidden").at(0).at("look_alikes").empty();
+  f.singles_look_alike += score.at("look_alike").get<bool>();
   if (score.at("set_size").get<int>() > 0) lists.set_sizes.push_back(score.at("set_size"));
   const std::string law = line.at("truth").at("hidden").at(0).at("law");
   if (law.rfind("hidden_", 0) == 0) {
@@ -102,6 +104,7 @@ void addStranger(const Json& score, Figures& f) {
 void addLine(const Json& line, Figures& f, Lists& lists) {
   if (line.contains("skipped")) {
     ++f.skipped;
+    f.imitated += line.at("truth").at("imitated").get<bool>();
     return;
   }
   const Json& score = line.at("score");
@@ -135,6 +138,7 @@ void addLine(const Json& line, Figures& f, Lists& lists) {
   if (kind == "data_fault") {
     ++f.data_fault_sets;
     f.data_faults_found += score.at("fault_found").get<bool>();
+    f.data_faults_named += score.at("fault_named").get<bool>();
   }
 }
 
@@ -162,7 +166,7 @@ bool isWrong(const std::string& kind, const Json& score) {
     return score.at("found").get<int>() != 2 || score.at("named_right") != score.at("named");
   }
   if (kind == "stranger") return !score.at("flagged").get<bool>();
-  return !score.at("fault_found").get<bool>();
+  return !score.at("fault_named").get<bool>();
 }
 
 }  // namespace
@@ -195,6 +199,8 @@ std::string toText(const Figures& f) {
   text += row("singles: truth in the ambiguity set", {f.singles_truth_in_set, f.singles});
   text += row("singles: ambiguous", {f.singles_ambiguous, f.singles});
   text += row("singles: unknown", {f.singles_unknown, f.singles});
+  text += row("singles: look-alikes are listed", {f.singles_with_look_alikes, f.singles});
+  text += row("  first cause is such a one", {f.singles_look_alike, f.singles});
   text += row("mean size of the set", f.set_size_mean, "");
   text += row("weak singles: detected", {f.weak_detected, f.weak_singles});
   text += row("weak singles: named alone and wrong", {f.weak_named_wrong, f.weak_singles});
@@ -207,6 +213,7 @@ std::string toText(const Figures& f) {
   text += row("  named alone and wrong", {f.mujoco_singles_named_wrong, f.mujoco_singles});
   text +=
       row("MuJoCo as reality, nulls: false alarms", {f.mujoco_null_false_alarms, f.mujoco_nulls});
+  text += row("  by the right kind", {f.data_faults_named, f.data_fault_sets});
   text += row("parameter error, median", 100 * f.parameter_error_median, "%");
   text += row("parameter error, 90th percentile", 100 * f.parameter_error_p90, "%");
   text += row("90 % intervals: covering", {f.intervals_covering, f.intervals});
@@ -214,6 +221,7 @@ std::string toText(const Figures& f) {
   text += row("test RMSE within 1.3 times the floor", {f.within_1_3_floor, f.gains});
   text += row("processor time of a diagnosis, mean", f.cpu / std::max(1, f.diagnoses), "s");
   if (f.skipped > 0) text += row("sets that could not be made as wished", f.skipped, "");
+  if (f.imitated > 0) text += row("  of which strangers that a cause imitates", f.imitated, "");
   if (f.failed > 0) text += row("diagnoses that failed", f.failed, "");
   if (f.unfinished > 0) text += row("unfinished", f.unfinished, "");
   return text;
@@ -247,6 +255,10 @@ std::string toJson(const Figures& f, const std::string& preset, double wall) {
                      {"signature_in_first_two", f.signature_in_first_two},
                      {"data_fault_sets", f.data_fault_sets},
                      {"data_faults_found", f.data_faults_found},
+                     {"data_faults_named", f.data_faults_named},
+                     {"singles_with_look_alikes", f.singles_with_look_alikes},
+                     {"singles_look_alike", f.singles_look_alike},
+                     {"unknowns_imitated", f.imitated},
                      {"mujoco_singles", f.mujoco_singles},
                      {"mujoco_singles_exact", f.mujoco_singles_exact},
                      {"mujoco_nulls", f.mujoco_nulls},

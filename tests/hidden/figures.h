@@ -19,11 +19,14 @@ struct Figures {
   int nulls_said_unknown = 0;
   int singles = 0, singles_exact = 0, singles_named_wrong = 0, singles_truth_in_set = 0,
       singles_ambiguous = 0, singles_unknown = 0;
+  /// Singles for which look-alikes are listed, and those of which one was called the first cause.
+  int singles_with_look_alikes = 0, singles_look_alike = 0;
   int likenesses = 0, likenesses_exact = 0;  // of the singles, those of a law of their own
   int weak_singles = 0, weak_detected = 0, weak_named_wrong = 0;
   int pairs = 0, pairs_both_found = 0, pairs_named = 0, pairs_named_right = 0;
   int unknowns = 0, unknowns_flagged = 0, signature_in_first_two = 0;
-  int data_fault_sets = 0, data_faults_found = 0;
+  int imitated = 0;  // of the skipped: strangers that some cause imitates wherever they were tried
+  int data_fault_sets = 0, data_faults_found = 0, data_faults_named = 0;
   int mujoco_singles = 0, mujoco_singles_exact = 0, mujoco_singles_named_wrong = 0;
   int mujoco_nulls = 0, mujoco_null_false_alarms = 0;
   int diagnoses = 0, skipped = 0, failed = 0, unfinished = 0;

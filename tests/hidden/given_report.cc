@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "core/check.h"
 
@@ -68,6 +69,17 @@ GivenReport readReport(const std::string& text) {
   } catch (const Json::exception& error) {
     throw InputError(std::string("expected the report of a diagnosis: ") + error.what());
   }
+}
+
+std::vector<std::string> readFaults(const std::string& printed) {
+  std::vector<std::string> faults;
+  std::istringstream lines(printed);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string kind, next;
+    if (words >> kind >> next && next != "(note)") faults.push_back(kind);
+  }
+  return faults;
 }
 
 }  // namespace nao::hidden

@@ -28,11 +28,15 @@ struct GivenReport {
   std::string verdict;             // of the set
   std::vector<GivenCause> causes;  // that are of interest, the one that explains most first
   std::vector<GivenJoint> joints;
+  std::vector<std::string> faults;  // of the data, by kind: "swapped", "clock" ...
 
   bool remains(const std::string& joint) const;  // something unexplained is left at this joint
 };
 
 /// @throws InputError if this is no report of a diagnosis.
 GivenReport readReport(const std::string& json);
+
+/// The kinds of data faults in what `diagnose` or `check-data` printed, notes left out.
+std::vector<std::string> readFaults(const std::string& printed);
 
 }  // namespace nao::hidden

@@ -5,27 +5,24 @@
 #include "core/random.h"
 
 namespace nao::hidden {
-namespace {
 
-const char* nameOf(Spoil spoil) {
+const char* faultOf(Spoil spoil) {
   switch (spoil) {
     case Spoil::None:
-      return "none";
+      return "";
     case Spoil::SwapJoints:
-      return "swapped joints";
+      return "swapped";
     case Spoil::Negate:
-      return "negated joint";
+      return "negated";
     case Spoil::Degrees:
-      return "degrees for radians";
+      return "units";
     case Spoil::Clock:
       return "clock";
     case Spoil::Freeze:
-      return "constant channel";
+      return "constant";
   }
   return "";
 }
-
-}  // namespace
 
 const char* nameOf(Kind kind) {
   switch (kind) {
@@ -80,17 +77,21 @@ std::string toJson(const Truth& truth) {
                       {"value", one.value},
                       {"deviation", one.deviation},
                       {"size", one.size},
-                      {"features", one.features}});
+                      {"features", one.features},
+                      {"look_alikes", one.look_alikes},
+                      {"nearest", one.nearest},
+                      {"nearest_apart", one.nearest_apart}});
   }
   const Json all = {{"name", truth.name},
                     {"kind", nameOf(truth.kind)},
                     {"joints", truth.joints},
                     {"hidden", hidden},
-                    {"spoilt", nameOf(truth.spoil)},
+                    {"spoilt", faultOf(truth.spoil)},
                     {"reference_mode", truth.reference},
                     {"torque_sd", truth.torque_sd},
                     {"torque_time", truth.torque_time},
                     {"start_sd", truth.start_sd},
+                    {"imitated", truth.imitated},
                     {"shortfall", truth.shortfall}};
   return all.dump();
 }

@@ -28,6 +28,9 @@ const char* nameOf(Kind kind);
 /// What is done to the data themselves.
 enum class Spoil { None, SwapJoints, Negate, Degrees, Clock, Freeze };
 
+/// The kind of data fault that `check-data` should call it; empty for none.
+const char* faultOf(Spoil spoil);
+
 /// One effect that a case asks for.
 struct Wish {
   Hideout hideout;
@@ -46,6 +49,9 @@ struct HiddenCase {
   int repeats = 6;
   double seconds = 6;      // of each motion
   bool reference = false;  // made in the reference mode, from the robot as on its drawings
+  /// Recorded from the limbs that hold the joints alone: a held torso passes nothing on from limb
+  /// to limb. For tests that must be quick; presets that are judged record the whole robot.
+  bool limbs = false;
 
   bool isMujoco() const;     // its reality is MuJoCo
   bool isExactNull() const;  // not even undeclared differences
@@ -65,6 +71,10 @@ struct HiddenTruth {
   double size = 0;  // [SD of the measured mean] reached
   bool inverse = false, comparable = true;
   std::vector<std::string> features;
+  /// Entries of the catalogue that, as large as fits best, do to the angles what this does.
+  std::vector<std::string> look_alikes;
+  std::string nearest;       // entry of the catalogue, a look-alike or not
+  double nearest_apart = 0;  // [SD of the measured mean]
 };
 
 /// What a set holds and its diagnosis must not see.
@@ -76,6 +86,7 @@ struct Truth {
   Spoil spoil = Spoil::None;
   bool reference = false;
   double torque_sd = 0, torque_time = 0, start_sd = 0;  // [N m], [s], [s]
+  bool imitated = false;  // a stranger that an entry of the catalogue imitates: not to be judged
   std::string shortfall;  // why a wished size could not be reached; empty: it was
 };
 

@@ -6,7 +6,9 @@
 #include "core/check.h"
 #include "core/random.h"
 #include "tests/hidden/laws/laws.h"
+#include "tests/hidden/look_alikes.h"
 #include "tests/hidden/mujoco/recording.h"
+#include "tests/hidden/response.h"
 #include "validation/log/simulated_recording.h"
 #include "validation/suspended.h"
 
@@ -17,9 +19,10 @@ using validation::LogSet;
 using validation::RecordedMotion;
 using validation::RecordingPlan;
 
-constexpr double kActs = 0.05;  // of an effect's largest change: where it is less it does not act
 constexpr int kMostScalings = 8;
 constexpr double kCloseEnough = 0.2;  // of the wished size
+constexpr double kAlike = 1.5;        // [SD of the measured mean] apart: no data tells such causes
+constexpr double kImitated = 3;       // the same of strangers: they must leave something unknown
 constexpr double kGrowth = 3;         // of a deviation in one scaling
 
 // The standard motions with all joints but these at rest in the start posture.
@@ -45,44 +48,6 @@ std::vector<RecordedMotion> motionsOf(const std::shared_ptr<const RobotModel>& m
     };
   }
   return motions;
-}
-
-// The mean of the repeats of every motion of one joint, one after another.
-std::vector<double> meansOf(const LogSet& set, const std::string& joint) {
-  std::vector<double> all;
-  for (std::size_t first = 0; first < set.runs.size();) {
-    std::size_t last = first;
-    while (last < set.runs.size() && set.runs[last].motion == set.runs[first].motion) ++last;
-    const std::size_t rows = set.runs[first].t.size();
-    for (std::size_t k = 0; k < rows; ++k) {
-      double sum = 0;
-      for (std::size_t r = first; r < last; ++r) sum += set.runs[r].columns.at("q." + joint)[k];
-      all.push_back(sum / static_cast<double>(last - first));
-    }
-    first = last;
-  }
-  return all;
-}
-
-double rms(const std::vector<double>& a, const std::vector<double>& b) {
-  double squares = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) squares += (a[i] - b[i]) * (a[i] - b[i]);
-  return std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, a.size())));
-}
-
-// Over the samples where the two differ at all by `kActs` of the most that they do.
-double rmsWhereActing(const std::vector<double>& a, const std::vector<double>& b) {
-  double most = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
-  double squares = 0;
-  long count = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double change = a[i] - b[i];
-    if (std::abs(change) < kActs * most) continue;
-    squares += change * change;
-    ++count;
-  }
-  return count == 0 ? 0 : std::sqrt(squares / static_cast<double>(count));
 }
 
 // The same for the limbs that hold the written joints alone: answers the same at less cost.
@@ -137,12 +102,18 @@ class Maker {
     plan_.joints = hidden.joints;
     plan_.motions = motionsOf(robot, hidden.joints, hidden.seconds);
     if (hidden.reference) plan_.mode = sim::Mode::Reference;
-    if (hidden.isMujoco()) plan_ = limbOf(plan_);
-    limb_ = shortened(hidden.isMujoco() ? plan_ : limbOf(plan_));
+    const bool limbs = hidden.limbs || hidden.isMujoco();
+    if (limbs) plan_ = limbOf(plan_);
+    limb_ = shortened(limbs ? plan_ : limbOf(plan_));
+  }
+
+  const Truth& choose() {
+    for (const Wish& wish : hidden_.wishes) hide(wish);
+    return truth_;
   }
 
   HiddenSet make() {
-    for (const Wish& wish : hidden_.wishes) hide(wish);
+    choose();
     if (!truth_.shortfall.empty()) return {{}, truth_};
     RecordingPlan plan = plan_;
     plan.repeats = hidden_.repeats;
@@ -166,18 +137,24 @@ class Maker {
     return hidden_.isMujoco() ? recordMujoco(plan) : validation::recordSimulated(plan);
   }
 
-  // What the effect changes, in SDs of the measured mean, at the joint where that is most.
-  double sizeOf(const EffectSetting& effect, const Hideout& hideout) {
+  // [rad] of the measured mean, from two samples.
+  double meanSd(const std::string& joint) {
     if (without_.empty()) {
       for (const std::uint64_t seed : {1, 2}) without_.push_back(sample({}, seed));
     }
+    const double run_sd =
+        rmsOf(meansOf(without_[0], joint), meansOf(without_[1], joint)) / std::sqrt(2.0);
+    return run_sd / std::sqrt(static_cast<double>(hidden_.repeats));
+  }
+
+  // What the effect changes, in SDs of the measured mean, at the joint where that is most.
+  double sizeOf(const EffectSetting& effect, const Hideout& hideout) {
     const LogSet with = sample({effect}, 1);
     double most = 0;
     for (const std::string& joint : hidden_.joints) {
       if (!hideout.whole_robot && joint != hidden_.joints.front()) continue;
+      const double mean_sd = meanSd(joint);
       const std::vector<double> before = meansOf(without_[0], joint);
-      const double run_sd = rms(before, meansOf(without_[1], joint)) / std::sqrt(2.0);
-      const double mean_sd = run_sd / std::sqrt(static_cast<double>(hidden_.repeats));
       most = std::max(most, rmsWhereActing(meansOf(with, joint), before) / mean_sd);
     }
     return most;
@@ -203,10 +180,34 @@ class Maker {
           between ? std::sqrt(below * above) : deviation * std::clamp(ratio, 1 / kGrowth, kGrowth);
     }
     const EffectSetting setting = settingAt(hideout, sign * deviation, *plan_.model, joint);
-    plan_.extra.push_back(setting);
-    limb_.extra.push_back(settingAt(hideout, sign * deviation, *limb_.model, joint));
+    const EffectSetting in_limb = settingAt(hideout, sign * deviation, *limb_.model, joint);
     note(wish, setting, sign * deviation, size);
+    if (truth_.shortfall.empty()) compare(hideout, in_limb);
+    plan_.extra.push_back(setting);
+    limb_.extra.push_back(in_limb);
     without_.clear();
+  }
+
+  // Lists beforehand which entries of the catalogue look as what was just noted. Everything looks
+  // like a weak effect: of those nothing is listed.
+  void compare(const Hideout& hideout, const EffectSetting& effect) {
+    if (hidden_.kind == Kind::WeakSingle) return;
+    const bool stranger = hideout.cause.empty();
+    const std::string& joint = hidden_.joints.front();
+    const Disguise disguise{limb_, effect,        hideout.cause,
+                            joint, meanSd(joint), hidden_.isMujoco() ? &recordMujoco : nullptr};
+    HiddenTruth& hidden = truth_.hidden.back();
+    const double below = stranger ? kImitated : kAlike;
+    const std::vector<LookAlike> nearest = findLookAlikes(disguise, below);
+    NAO_CHECK(!nearest.empty());
+    hidden.nearest = nearest.front().cause;
+    hidden.nearest_apart = nearest.front().apart;
+    for (const LookAlike& one : nearest) {
+      if (one.apart < below) hidden.look_alikes.push_back(one.cause);
+    }
+    if (!stranger || hidden.look_alikes.empty()) return;
+    truth_.imitated = true;
+    truth_.shortfall += hideout.law + " is imitated here by " + hidden.look_alikes.front() + "; ";
   }
 
   void note(const Wish& wish, const EffectSetting& setting, double deviation, double size) {
@@ -239,6 +240,10 @@ class Maker {
 
 HiddenSet makeHiddenSet(const HiddenCase& hidden, std::shared_ptr<const RobotModel> model) {
   return Maker(hidden, model).make();
+}
+
+Truth chooseHidden(const HiddenCase& hidden, std::shared_ptr<const RobotModel> model) {
+  return Maker(hidden, model).choose();
 }
 
 }  // namespace nao::hidden

@@ -21,6 +21,9 @@ struct HiddenSet {
 /// cannot be, the truth says why and the set is empty.
 HiddenSet makeHiddenSet(const HiddenCase& hidden, std::shared_ptr<const RobotModel> model);
 
+/// What makeHiddenSet() would hide, without recording the set.
+Truth chooseHidden(const HiddenCase& hidden, std::shared_ptr<const RobotModel> model);
+
 /// Robots that a maker calls the same: mass +-2 %, inertia +-5 %, friction +-10 %, gains +-2 % and
 /// zeros +-0.1 degree in every joint.
 void addUndeclaredDifferences(RobotModel& model, std::uint64_t seed);

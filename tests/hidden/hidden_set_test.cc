@@ -17,6 +17,7 @@ HiddenCase friction(double size) {
   hidden.seed = 7;
   hidden.joints = {"HeadYaw"};
   hidden.repeats = 2;
+  hidden.limbs = true;
   hidden.wishes = {{likenessHideouts().front(), size}};
   return hidden;
 }
@@ -35,7 +36,7 @@ TEST(HiddenSet, IsTheSameForTheSameCaseAndSaysNothingOfWhatItHides) {
 TEST(HiddenSet, EffectsComeOutAsLargeAsWished) {
   const auto model = test::robot("nao_h21_v33");
   for (const double size : {6.0, 14.0}) {
-    const Truth truth = makeHiddenSet(friction(size), model).truth;
+    const Truth truth = chooseHidden(friction(size), model);
     ASSERT_EQ(truth.hidden.size(), 1u);
     EXPECT_TRUE(truth.shortfall.empty());
     EXPECT_NEAR(truth.hidden[0].size, size, 0.3 * size);

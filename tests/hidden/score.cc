@@ -19,6 +19,16 @@ bool isRight(const Truth& truth, const HiddenTruth& hidden, const GivenCause& gi
   return isThere(truth, hidden, given) && looksAlike(hidden.cause, given.cause);
 }
 
+// One of those that the truth lists beforehand.
+bool isLookAlike(const Truth& truth, const GivenCause& given) {
+  return std::any_of(truth.hidden.begin(), truth.hidden.end(), [&](const HiddenTruth& hidden) {
+    const auto& all = hidden.look_alikes;
+    return !isRight(truth, hidden, given) && isThere(truth, hidden, given) &&
+           std::any_of(all.begin(), all.end(),
+                       [&](const std::string& one) { return looksAlike(one, given.cause); });
+  });
+}
+
 bool isAmong(const Truth& truth, const HiddenTruth& hidden, const GivenCause& given) {
   if (isRight(truth, hidden, given)) return true;
   return isThere(truth, hidden, given) &&
@@ -34,14 +44,19 @@ void scoreFirst(const Truth& truth, const GivenReport& report, Score& score) {
   if (report.causes.empty() || truth.hidden.empty()) return;
   const GivenCause& first = report.causes.front();
   score.exact = isRight(truth, truth.hidden.front(), first);
-  score.truth_in_set = isAmong(truth, truth.hidden.front(), first);
-  score.ambiguous = !first.rivals.empty();
-  score.set_size = 1 + static_cast<int>(first.rivals.size());
+  score.look_alike = isLookAlike(truth, first);
+  const bool among = isAmong(truth, truth.hidden.front(), first);
+  score.truth_in_set = among || score.look_alike;
+  score.ambiguous = !first.rivals.empty() || score.look_alike;
+  score.set_size = 1 + static_cast<int>(first.rivals.size()) + (score.look_alike && !among);
 }
 
 void scorePair(const Truth& truth, const GivenReport& report, Score& score) {
-  score.named = static_cast<int>(report.causes.size());
-  for (const GivenCause& given : report.causes) score.named_right += isAnyRight(truth, given);
+  for (const GivenCause& given : report.causes) {
+    const bool right = isAnyRight(truth, given);
+    score.named += right || !isLookAlike(truth, given);
+    score.named_right += right;
+  }
   for (const HiddenTruth& hidden : truth.hidden) {
     score.found += std::any_of(report.causes.begin(), report.causes.end(),
                                [&](const GivenCause& c) { return isRight(truth, hidden, c); });
@@ -106,8 +121,13 @@ Score score(const Truth& truth, const GivenReport& report) {
   score.detected = report.verdict != "no_discrepancy" && report.verdict != "unfinished";
   score.unknown = report.verdict == "unknown";
   score.fault_found = report.verdict == "data_fault";
+  const std::string fault = faultOf(truth.spoil);
+  score.fault_named =
+      score.fault_found && !fault.empty() &&
+      std::find(report.faults.begin(), report.faults.end(), fault) != report.faults.end();
   for (const GivenCause& given : report.causes) {
-    score.named_wrong = score.named_wrong || (given.rivals.empty() && !isAnyRight(truth, given));
+    const bool wrong = !isAnyRight(truth, given) && !isLookAlike(truth, given);
+    score.named_wrong = score.named_wrong || (given.rivals.empty() && wrong);
   }
   scoreFirst(truth, report, score);
   scorePair(truth, report, score);

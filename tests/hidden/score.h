@@ -15,18 +15,19 @@ struct Score {
   // Singles, weak or not.
   bool detected = false;     // anything but "no discrepancy" or "unfinished"
   bool exact = false;        // the first cause is the truth
-  bool named_wrong = false;  // a cause that is not the truth, named alone
+  bool look_alike = false;   // the first cause is one that the truth lists as looking the same
+  bool named_wrong = false;  // a cause that is neither, named alone
   bool truth_in_set = false;
   bool ambiguous = false, unknown = false;
   int set_size = 0;  // of the first cause and its rivals; 0: nothing was named
   // Pairs.
-  int found = 0;  // of the hidden ones
-  int named = 0, named_right = 0;
+  int found = 0;                   // of the hidden ones
+  int named = 0, named_right = 0;  // look-alikes are neither
   // Strangers.
   bool flagged = false;  // unknown, or partly explained with no cause named alone
   bool signature_right = false;
   // Data faults.
-  bool fault_found = false;
+  bool fault_found = false, fault_named = false;  // any; the right kind
   // Numbers of the causes that are right, where their parameters mean the same.
   struct Number {
     double error = 0;  // relative to the hidden deviation

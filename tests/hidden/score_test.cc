@@ -29,7 +29,7 @@ GivenCause named(const std::string& cause, const std::string& joint = "HeadYaw",
 }
 
 GivenReport saying(const std::string& verdict, std::vector<GivenCause> causes = {}) {
-  return {verdict, std::move(causes), {{"HeadYaw", verdict, "q (31 %), then v|v| (20 %)"}}};
+  return {verdict, std::move(causes), {{"HeadYaw", verdict, "q (31 %), then v|v| (20 %)"}}, {}};
 }
 
 TEST(Score, TheFirstCauseIsTheTruthAtItsJoint) {
@@ -59,6 +59,30 @@ TEST(Score, ASecondCauseNamedAloneIsWrongBesideTheTruth) {
 TEST(Score, ListedLookAlikesCountAsTheTruth) {
   EXPECT_TRUE(
       score(hiding("sensor_delay", ""), saying("named", {named("command_latency", "")})).exact);
+}
+
+TEST(Score, ALookAlikeThatIsListedBeforehandIsAmbiguousNeitherExactNorWrong) {
+  Truth truth = hiding("cogging");
+  truth.hidden[0].look_alikes = {"cable_spring"};
+  const Score found = score(truth, saying("named", {named("cable_spring")}));
+  EXPECT_FALSE(found.exact);
+  EXPECT_FALSE(found.named_wrong);
+  EXPECT_TRUE(found.truth_in_set);
+  EXPECT_TRUE(found.ambiguous);
+  EXPECT_EQ(found.set_size, 2);
+  EXPECT_TRUE(score(truth, saying("named", {named("backlash")})).named_wrong);
+}
+
+TEST(Score, ADataFaultIsNamedByItsKind) {
+  Truth truth;
+  truth.kind = Kind::DataFault;
+  truth.spoil = Spoil::Negate;
+  GivenReport report = saying("data_fault");
+  report.faults = readFaults("verdict: data_fault\n  clock (note)  fine\n  swapped  q.A follows\n");
+  EXPECT_TRUE(score(truth, report).fault_found);
+  EXPECT_FALSE(score(truth, report).fault_named);
+  truth.spoil = Spoil::SwapJoints;
+  EXPECT_TRUE(score(truth, report).fault_named);
 }
 
 TEST(Score, AnythingNamedInANullIsAFalseAlarm) {

@@ -77,6 +77,7 @@ Json toJson(const Score& score) {
           {"said_unknown", score.said_unknown},
           {"detected", score.detected},
           {"exact", score.exact},
+          {"look_alike", score.look_alike},
           {"named_wrong", score.named_wrong},
           {"truth_in_set", score.truth_in_set},
           {"ambiguous", score.ambiguous},
@@ -88,12 +89,14 @@ Json toJson(const Score& score) {
           {"flagged", score.flagged},
           {"signature_right", score.signature_right},
           {"fault_found", score.fault_found},
+          {"fault_named", score.fault_named},
           {"numbers", numbers}};
 }
 
 // What was said, short: "HeadYaw: kp_error | motor_inertia".
 std::string saying(const GivenReport& report) {
   std::string text = report.verdict;
+  for (const std::string& fault : report.faults) text += " " + fault;
   for (const GivenCause& cause : report.causes) {
     text += "; " + (cause.joint.empty() ? "all" : cause.joint) + ": " + cause.cause;
     for (const std::string& rival : cause.rivals) text += " | " + rival;
@@ -140,6 +143,7 @@ Diagnosed diagnoseSealed(const std::string& set_folder, const std::string& robot
   diagnosed.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   diagnosed.cpu = childSeconds() - cpu;
   diagnosed.report = read(out + "/report.json");
+  diagnosed.printed = read(out + "/log.txt");
   return diagnosed;
 }
 
@@ -160,6 +164,7 @@ std::string runTrial(const HiddenCase& hidden, const TrialPlace& place) {
       report = readReport(diagnosed.report);
     } else {
       report.verdict = diagnosed.exit_code == 20 ? "data_fault" : "failed";
+      if (diagnosed.exit_code == 20) report.faults = readFaults(diagnosed.printed);
     }
     line["said"] = saying(report);
     line["score"] = toJson(score(sealed.truth, report));

@@ -32,8 +32,9 @@ SealedSet sealSet(const HiddenCase& hidden, const TrialPlace& place);
 struct Diagnosed {
   int exit_code = 0;
   std::string report;  // the JSON file's text; empty: none was written
-  double wall = 0;     // [s]
-  double cpu = 0;      // [s]
+  std::string printed;
+  double wall = 0;  // [s]
+  double cpu = 0;   // [s]
 };
 Diagnosed diagnoseSealed(const std::string& set_folder, const std::string& robot,
                          const std::string& report_folder, const TrialPlace& place);

@@ -1,0 +1,144 @@
+#include "tests/hidden/look_alikes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "tests/hidden/laws/laws.h"
+#include "tests/hidden/response.h"
+
+namespace nao::hidden {
+namespace {
+
+using validation::LogSet;
+using validation::RecordingPlan;
+
+// Rivals that stay farther away than this if they grow in proportion are not looked at closer.
+constexpr double kHopeless = 2.5;  // of `below`
+constexpr int kLooks = 6;
+
+// What the catalogue's effect of a law has as neutral, sign by sign.
+double leastOf(const Hideout& rival) {
+  const sim::EffectType* type = sim::standardEffects().find(rival.law);
+  for (const sim::Parameter& parameter : type->parameters) {
+    if (parameter.name == rival.parameter) return parameter.min - parameter.neutral;
+  }
+  return 0;
+}
+
+// The catalogue's own laws, further shapes of those with two numbers among them. At one joint a
+// cause of all joints is one of its own, unless it has no number of its own there.
+std::vector<Hideout> rivals() {
+  std::vector<Hideout> all = catalogueHideouts();
+  const std::vector<Hideout> given = all;
+  const auto add = [&](const std::string& law, const char* parameter, double value) {
+    for (Hideout hideout : given) {
+      if (hideout.law != law) continue;
+      hideout.shape[parameter] = value;
+      all.push_back(hideout);
+    }
+  };
+  for (const double speed : {0.05, 0.6}) add("stribeck_friction", "speed", speed);
+  for (const double turns : {4.0, 16.0}) add("cogging", "per_turn", turns);
+  for (const double rest : {-0.5, 0.5, 1.0}) add("cable_spring", "rest", rest);
+  return all;
+}
+
+class Comparison {
+ public:
+  Comparison(const Disguise& disguise, double below) : disguise_(disguise), below_(below) {
+    plan_ = disguise.plan;
+    plan_.step = std::chrono::milliseconds(2);  // differences, not data: as Worlds by default
+    without_ = angles(plan_);
+    target_ = response();
+  }
+
+  LookAlike fit(const Hideout& rival) const {
+    LookAlike best{rival.cause, 0, 1e300};
+    const double sign = rival.start < 0 ? -1 : 1, most = std::abs(rival.most);
+    double deviation = rival.start;
+    for (int look = 0; look < kLooks; ++look) {
+      const std::vector<double> change = changeBy(rival, deviation);
+      const double apart = rmsWhereActing(change, target_) / disguise_.mean_sd;
+      if (apart < best.apart) best = {rival.cause, deviation, apart};
+      const double factor = project(change);
+      const double promised = apartIf(change, factor);
+      if (std::min(promised, best.apart) > kHopeless * below_) break;
+      if (std::abs(factor - 1) < 0.02) break;
+      double next = deviation * std::clamp(factor, -3.0, 3.0);
+      if (next * sign <= 0 && next < leastOf(rival)) break;  // it has no such sign
+      next = std::clamp(next, -most, most);
+      if (next == deviation || next == 0) break;
+      deviation = next;
+    }
+    return best;
+  }
+
+ private:
+  std::vector<double> angles(const RecordingPlan& plan, bool hidden = false) const {
+    const LogSet set = hidden && disguise_.record != nullptr ? disguise_.record(plan)
+                                                             : validation::recordSimulated(plan);
+    return meansOf(set, disguise_.joint);
+  }
+
+  static std::vector<double> less(std::vector<double> a, const std::vector<double>& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
+    return a;
+  }
+
+  // Of the hidden effect, in its own reality.
+  std::vector<double> response() const {
+    RecordingPlan with = plan_;
+    with.extra.push_back(disguise_.effect);
+    const bool elsewhere = disguise_.record != nullptr;
+    return less(angles(with, true), elsewhere ? angles(plan_, true) : without_);
+  }
+
+  std::vector<double> changeBy(const Hideout& rival, double deviation) const {
+    RecordingPlan with = plan_;
+    with.extra.push_back(settingAt(rival, deviation, *plan_.model, disguise_.joint));
+    return less(angles(with), without_);
+  }
+
+  // If `factor` of this change were made.
+  double apartIf(std::vector<double> change, double factor) const {
+    for (double& one : change) one *= factor;
+    return rmsWhereActing(change, target_) / disguise_.mean_sd;
+  }
+
+  // By how much more of this change the target would be met, in the sense of least squares.
+  double project(const std::vector<double>& change) const {
+    double both = 0, own = 0;
+    for (std::size_t i = 0; i < change.size(); ++i) {
+      both += change[i] * target_[i];
+      own += change[i] * change[i];
+    }
+    return own > 0 ? both / own : 1;
+  }
+
+  const Disguise& disguise_;
+  double below_;
+  RecordingPlan plan_;
+  std::vector<double> without_, target_;
+};
+
+}  // namespace
+
+std::vector<LookAlike> findLookAlikes(const Disguise& disguise, double below) {
+  const Comparison comparison(disguise, below);
+  std::map<std::string, LookAlike> nearest;
+  for (const Hideout& rival : rivals()) {
+    if (looksAlike(rival.cause, disguise.cause)) continue;
+    const LookAlike fitted = comparison.fit(rival);
+    const auto [place, fresh] = nearest.try_emplace(fitted.cause, fitted);
+    if (!fresh && fitted.apart < place->second.apart) place->second = fitted;
+  }
+  std::vector<LookAlike> alike;
+  alike.reserve(nearest.size());
+  for (const auto& [cause, one] : nearest) alike.push_back(one);
+  std::sort(alike.begin(), alike.end(),
+            [](const LookAlike& a, const LookAlike& b) { return a.apart < b.apart; });
+  return alike;
+}
+
+}  // namespace nao::hidden
