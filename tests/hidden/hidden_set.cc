@@ -20,6 +20,7 @@ using validation::RecordedMotion;
 using validation::RecordingPlan;
 
 constexpr int kMostScalings = 8;
+constexpr int kSampleRuns = 4;        // so that an encoder's counts average out
 constexpr double kCloseEnough = 0.2;  // of the wished size
 constexpr double kAlike = 1.5;        // [SD of the measured mean] apart: no data tells such causes
 constexpr double kImitated = 3;       // the same of strangers: they must leave something unknown
@@ -69,9 +70,10 @@ RecordingPlan limbOf(const RecordingPlan& plan) {
   return limb;
 }
 
-// Fit motions only, each once.
+// For sizes of effects: fit motions only, a few runs, at a coarser step.
 RecordingPlan shortened(RecordingPlan plan) {
-  plan.repeats = 1;
+  plan.repeats = kSampleRuns;
+  plan.step = std::chrono::milliseconds(1);
   const auto is_other = [](const RecordedMotion& m) { return m.split != validation::Split::Fit; };
   plan.motions.erase(std::remove_if(plan.motions.begin(), plan.motions.end(), is_other),
                      plan.motions.end());
@@ -124,12 +126,10 @@ class Maker {
   }
 
  private:
-  // One run of each fit motion with these effects on top, the same chance for all that share a
-  // seed.
-  LogSet sample(const std::vector<EffectSetting>& effects, std::uint64_t seed) const {
+  // Some runs of each fit motion with these effects on top, all samples by the same chance.
+  LogSet sample(const std::vector<EffectSetting>& effects) const {
     RecordingPlan plan = limb_;
     plan.extra.insert(plan.extra.end(), effects.begin(), effects.end());
-    plan.seed = seed;
     return record(plan);
   }
 
@@ -137,27 +137,26 @@ class Maker {
     return hidden_.isMujoco() ? recordMujoco(plan) : validation::recordSimulated(plan);
   }
 
-  // [rad] of the measured mean, from two samples.
-  double meanSd(const std::string& joint) {
-    if (without_.empty()) {
-      for (const std::uint64_t seed : {1, 2}) without_.push_back(sample({}, seed));
-    }
-    const double run_sd =
-        rmsOf(meansOf(without_[0], joint), meansOf(without_[1], joint)) / std::sqrt(2.0);
-    return run_sd / std::sqrt(static_cast<double>(hidden_.repeats));
-  }
-
   // What the effect changes, in SDs of the measured mean, at the joint where that is most.
   double sizeOf(const EffectSetting& effect, const Hideout& hideout) {
-    const LogSet with = sample({effect}, 1);
+    const LogSet with = sample({effect});
     double most = 0;
     for (const std::string& joint : hidden_.joints) {
       if (!hideout.whole_robot && joint != hidden_.joints.front()) continue;
-      const double mean_sd = meanSd(joint);
-      const std::vector<double> before = meansOf(without_[0], joint);
-      most = std::max(most, rmsWhereActing(meansOf(with, joint), before) / mean_sd);
+      const Repeats change = less(repeatsOf(with, joint), repeatsOf(without(), joint));
+      most = std::max(most, rmsWhereActing(change) / meanSd(joint));
     }
     return most;
+  }
+
+  // [rad] of the measured mean.
+  double meanSd(const std::string& joint) {
+    return spreadOf(repeatsOf(without(), joint)) / std::sqrt(static_cast<double>(hidden_.repeats));
+  }
+
+  const LogSet& without() {
+    if (without_.runs.empty()) without_ = sample({});
+    return without_;
   }
 
   void hide(const Wish& wish) {
@@ -185,7 +184,7 @@ class Maker {
     if (truth_.shortfall.empty()) compare(hideout, in_limb);
     plan_.extra.push_back(setting);
     limb_.extra.push_back(in_limb);
-    without_.clear();
+    without_ = {};
   }
 
   // Lists beforehand which entries of the catalogue look as what was just noted. Everything looks
@@ -233,7 +232,7 @@ class Maker {
   const HiddenCase& hidden_;
   RecordingPlan plan_, limb_;
   Truth truth_;
-  std::vector<LogSet> without_;  // two samples without the effect to be hidden next
+  LogSet without_;  // a sample without the effect to be hidden next
 };
 
 }  // namespace

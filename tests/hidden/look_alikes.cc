@@ -16,6 +16,7 @@ using validation::RecordingPlan;
 // Rivals that stay farther away than this if they grow in proportion are not looked at closer.
 constexpr double kHopeless = 2.5;  // of `below`
 constexpr int kLooks = 6;
+constexpr int kRepeats = 2;
 
 // What the catalogue's effect of a law has as neutral, sign by sign.
 double leastOf(const Hideout& rival) {
@@ -48,6 +49,7 @@ class Comparison {
  public:
   Comparison(const Disguise& disguise, double below) : disguise_(disguise), below_(below) {
     plan_ = disguise.plan;
+    plan_.repeats = kRepeats;
     plan_.step = std::chrono::milliseconds(2);  // differences, not data: as Worlds by default
     without_ = angles(plan_);
     target_ = response();
@@ -58,12 +60,13 @@ class Comparison {
     const double sign = rival.start < 0 ? -1 : 1, most = std::abs(rival.most);
     double deviation = rival.start;
     for (int look = 0; look < kLooks; ++look) {
-      const std::vector<double> change = changeBy(rival, deviation);
-      const double apart = rmsWhereActing(change, target_) / disguise_.mean_sd;
+      const Repeats change = changeBy(rival, deviation);
+      const double apart = apartOf(change, 1);
       if (apart < best.apart) best = {rival.cause, deviation, apart};
-      const double factor = project(change);
-      const double promised = apartIf(change, factor);
-      if (std::min(promised, best.apart) > kHopeless * below_) break;
+      // By how much more of this change the target would be met, in the sense of least squares.
+      const double own = productOf(change, change);
+      const double factor = own > 0 ? productOf(change, target_) / own : 1;
+      if (std::min(apartOf(change, factor), best.apart) > kHopeless * below_) break;
       if (std::abs(factor - 1) < 0.02) break;
       double next = deviation * std::clamp(factor, -3.0, 3.0);
       if (next * sign <= 0 && next < leastOf(rival)) break;  // it has no such sign
@@ -75,51 +78,35 @@ class Comparison {
   }
 
  private:
-  std::vector<double> angles(const RecordingPlan& plan, bool hidden = false) const {
+  Repeats angles(const RecordingPlan& plan, bool hidden = false) const {
     const LogSet set = hidden && disguise_.record != nullptr ? disguise_.record(plan)
                                                              : validation::recordSimulated(plan);
-    return meansOf(set, disguise_.joint);
-  }
-
-  static std::vector<double> less(std::vector<double> a, const std::vector<double>& b) {
-    for (std::size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
-    return a;
+    return repeatsOf(set, disguise_.joint);
   }
 
   // Of the hidden effect, in its own reality.
-  std::vector<double> response() const {
+  Repeats response() const {
     RecordingPlan with = plan_;
     with.extra.push_back(disguise_.effect);
     const bool elsewhere = disguise_.record != nullptr;
     return less(angles(with, true), elsewhere ? angles(plan_, true) : without_);
   }
 
-  std::vector<double> changeBy(const Hideout& rival, double deviation) const {
+  Repeats changeBy(const Hideout& rival, double deviation) const {
     RecordingPlan with = plan_;
     with.extra.push_back(settingAt(rival, deviation, *plan_.model, disguise_.joint));
     return less(angles(with), without_);
   }
 
   // If `factor` of this change were made.
-  double apartIf(std::vector<double> change, double factor) const {
-    for (double& one : change) one *= factor;
-    return rmsWhereActing(change, target_) / disguise_.mean_sd;
-  }
-
-  // By how much more of this change the target would be met, in the sense of least squares.
-  double project(const std::vector<double>& change) const {
-    double both = 0, own = 0;
-    for (std::size_t i = 0; i < change.size(); ++i) {
-      both += change[i] * target_[i];
-      own += change[i] * change[i];
-    }
-    return own > 0 ? both / own : 1;
+  double apartOf(const Repeats& change, double factor) const {
+    return rmsWhereActing(less(target_, change, factor)) / disguise_.mean_sd;
   }
 
   const Disguise& disguise_;
   double below_;
   RecordingPlan plan_;
-  std::vector<double> without_, target_;
+  Repeats without_, target_;
 };
 
 }  // namespace
