@@ -21,5 +21,6 @@ void addExtend(CLI::App& app);
 void addGain(CLI::App& app);
 void addReplay(CLI::App& app);
 void addBench(CLI::App& app);
+void addHide(CLI::App& app);
 
 }  // namespace nao::app

@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
   nao::app::addGain(app);
   nao::app::addReplay(app);
   nao::app::addBench(app);
+  nao::app::addHide(app);
   try {
     app.parse(argc, argv);
     return 0;

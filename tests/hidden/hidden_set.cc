@@ -241,6 +241,18 @@ HiddenSet makeHiddenSet(const HiddenCase& hidden, std::shared_ptr<const RobotMod
   return Maker(hidden, model).make();
 }
 
+HiddenSet makeHiddenSetSomewhere(const HiddenCase& hidden,
+                                 const std::shared_ptr<const RobotModel>& model) {
+  HiddenCase tried = hidden;
+  HiddenSet made = makeHiddenSet(tried, model);
+  for (const std::string& other : hidden.other_places) {
+    if (made.truth.shortfall.empty()) break;
+    tried.joints = {other};
+    made = makeHiddenSet(tried, model);
+  }
+  return made;
+}
+
 Truth chooseHidden(const HiddenCase& hidden, std::shared_ptr<const RobotModel> model) {
   return Maker(hidden, model).choose();
 }

@@ -21,6 +21,11 @@ struct HiddenSet {
 /// cannot be, the truth says why and the set is empty.
 HiddenSet makeHiddenSet(const HiddenCase& hidden, std::shared_ptr<const RobotModel> model);
 
+/// The same; where the effects cannot be made as wished at the first joint, at the next of the
+/// case's other places.
+HiddenSet makeHiddenSetSomewhere(const HiddenCase& hidden,
+                                 const std::shared_ptr<const RobotModel>& model);
+
 /// What makeHiddenSet() would hide, without recording the set.
 Truth chooseHidden(const HiddenCase& hidden, std::shared_ptr<const RobotModel> model);
 

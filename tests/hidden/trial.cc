@@ -111,13 +111,7 @@ std::string saying(const GivenReport& report) {
 
 SealedSet sealSet(const HiddenCase& hidden, const TrialPlace& place) {
   const auto nominal = loadRobotModel(place.robots_dir, hidden.robot());
-  HiddenCase tried = hidden;
-  HiddenSet made = makeHiddenSet(tried, nominal);
-  for (const std::string& other : hidden.other_places) {
-    if (made.truth.shortfall.empty()) break;
-    tried.joints = {other};
-    made = makeHiddenSet(tried, nominal);
-  }
+  const HiddenSet made = makeHiddenSetSomewhere(hidden, nominal);
   SealedSet sealed;
   sealed.truth = made.truth;
   sealed.folder = (fs::path(place.folder) / "sets" / made.truth.name).string();
