@@ -286,9 +286,11 @@ std::string listWrong(const std::vector<std::string>& lines) {
     if (!isWrong(kind, line.at("score"))) continue;
     text += line.at("name").get<std::string>() + " " + kind;
     for (const Json& hidden : line.at("truth").at("hidden")) {
-      char numbers[80];
-      std::snprintf(numbers, sizeof numbers, "%.4g (size %.1f)", hidden.at("value").get<double>(),
-                    hidden.at("size").get<double>());
+      char numbers[160];
+      std::snprintf(numbers, sizeof numbers, "%.4g (size %.1f, nearest %s %.1f)",
+                    hidden.at("value").get<double>(), hidden.at("size").get<double>(),
+                    hidden.at("nearest").get<std::string>().c_str(),
+                    hidden.at("nearest_apart").get<double>());
       const std::string joint = hidden.at("joint");
       text += " [" + hidden.at("law").get<std::string>() + " " +
               hidden.at("parameter").get<std::string>() + " " + numbers + " at " +

@@ -23,6 +23,7 @@ constexpr int kMostScalings = 8;
 constexpr int kSampleRuns = 4;        // so that an encoder's counts average out
 constexpr double kCloseEnough = 0.2;  // of the wished size
 constexpr double kAlike = 1.5;        // [SD of the measured mean] apart: no data tells such causes
+constexpr double kPairApart = 3;      // the same of the two effects of a pair
 constexpr double kImitated = 3;       // the same of strangers: they must leave something unknown
 constexpr double kGrowth = 3;         // of a deviation in one scaling
 
@@ -187,6 +188,13 @@ class Maker {
     without_ = {};
   }
 
+  // Whether this is the other one of a pair.
+  bool isOther(const std::string& cause, const Hideout& hideout) const {
+    return std::any_of(hidden_.wishes.begin(), hidden_.wishes.end(), [&](const Wish& wish) {
+      return wish.hideout.cause != hideout.cause && looksAlike(wish.hideout.cause, cause);
+    });
+  }
+
   // Lists beforehand which entries of the catalogue look as what was just noted. Everything looks
   // like a weak effect: of those nothing is listed.
   void compare(const Hideout& hideout, const EffectSetting& effect) {
@@ -196,13 +204,15 @@ class Maker {
     const Disguise disguise{limb_, effect,        hideout.cause,
                             joint, meanSd(joint), hidden_.isMujoco() ? &recordMujoco : nullptr};
     HiddenTruth& hidden = truth_.hidden.back();
-    const double below = stranger ? kImitated : kAlike;
+    const double below = stranger ? kImitated : hidden_.kind == Kind::Pair ? kPairApart : kAlike;
     const std::vector<LookAlike> nearest = findLookAlikes(disguise, below);
     NAO_CHECK(!nearest.empty());
     hidden.nearest = nearest.front().cause;
     hidden.nearest_apart = nearest.front().apart;
     for (const LookAlike& one : nearest) {
-      if (one.apart < below) hidden.look_alikes.push_back(one.cause);
+      if (one.apart < (stranger ? kImitated : kAlike)) hidden.look_alikes.push_back(one.cause);
+      const bool other = isOther(one.cause, hideout);
+      if (other && one.apart < kPairApart) truth_.shortfall += "both look alike here; ";
     }
     if (!stranger || hidden.look_alikes.empty()) return;
     truth_.imitated = true;

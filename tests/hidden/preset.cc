@@ -133,7 +133,7 @@ class Dealer {
     const Hideout* first = &next(own_, at_own_);
     while (!first->needs.empty()) first = &next(own_, at_own_);
     const Hideout* second = first;
-    while (second->cause == first->cause || !second->needs.empty())
+    while (looksAlike(second->cause, first->cause) || !second->needs.empty())
       second = &own_[pick(own_.size())];
     hidden.wishes = {{*first, sizeOfSingle()}, {*second, sizeOfSingle()}};
     place(hidden, pick(places().size()));
