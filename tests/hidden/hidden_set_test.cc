@@ -13,7 +13,7 @@ namespace {
 
 HiddenCase friction(double size) {
   HiddenCase hidden;
-  hidden.kind = Kind::Single;
+  hidden.kind = Kind::WeakSingle;  // looks for no look-alikes
   hidden.seed = 7;
   hidden.joints = {"HeadYaw"};
   hidden.repeats = 2;
@@ -42,6 +42,24 @@ TEST(HiddenSet, EffectsComeOutAsLargeAsWished) {
     EXPECT_NEAR(truth.hidden[0].size, size, 0.3 * size);
     EXPECT_GT(truth.hidden[0].deviation, 0);
   }
+}
+
+// A head that turns carries no weight: to follow less is to be late.
+TEST(HiddenSet, LooksAlikesAreListedBeforehandAndOthersAreNot) {
+  HiddenCase hidden = friction(8);
+  hidden.kind = Kind::Single;
+  for (const Hideout& hideout : catalogueHideouts()) {
+    if (hideout.cause == "kp_error" && hideout.start < 0) hidden.wishes = {{hideout, 8}};
+  }
+  const Truth truth = chooseHidden(hidden, test::robot("nao_h21_v33"));
+  ASSERT_EQ(truth.hidden.size(), 1u);
+  const std::vector<std::string>& alike = truth.hidden[0].look_alikes;
+  const auto listed = [&](const char* cause) {
+    return std::find(alike.begin(), alike.end(), cause) != alike.end();
+  };
+  EXPECT_TRUE(listed("sensor_delay") || listed("command_latency"));
+  EXPECT_FALSE(listed("backlash"));
+  EXPECT_FALSE(listed("kp_error"));
 }
 
 TEST(HiddenSet, RobotsDifferUndeclared) {
