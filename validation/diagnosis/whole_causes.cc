@@ -1,0 +1,191 @@
+#include "validation/diagnosis/whole_causes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "validation/diagnosis/merge_effects.h"
+
+namespace nao::validation {
+namespace {
+
+constexpr double kFar = 1e9;  // of a parameter whose neutral value is as good as infinite
+
+using Ids = std::vector<const char*>;
+
+// What one number for all joints can be wrong about.
+const Ids kEverywhere{"coulomb_friction", "viscous_friction",  "load_friction", "torque_limit",
+                      "voltage_sag.drop", "voltage_sag.slope", "kp_error",      "kd_error",
+                      "servo_deadband",   "motor_inertia",     "backlash",      "gear_compliance",
+                      "link_mass",        "gravity_scale",     "ground_tilt.x", "ground_tilt.y",
+                      "command_latency",  "sensor_delay",      "command_hold",  "command_filter",
+                      "rate_limit"};
+const Ids kSide{"coulomb_friction", "viscous_friction", "torque_limit",   "kp_error",
+                "backlash",         "link_mass",        "command_latency"};
+const Ids kLegJoint{"encoder_offset", "kp_error",       "coulomb_friction", "backlash",
+                    "torque_limit",   "servo_deadband", "viscous_friction"};
+const Ids kArmJoint{"encoder_offset", "kp_error", "coulomb_friction"};
+const Ids kStops{"coupled_stop.upper", "coupled_stop.lower", "joint_stop.upper",
+                 "joint_stop.lower"};
+
+const Cause* find(const std::string& id) {
+  const auto& all = jointCauses();
+  const auto at =
+      std::find_if(all.begin(), all.end(), [&](const Cause& cause) { return cause.id == id; });
+  return at == all.end() ? nullptr : &*at;
+}
+
+// Units and bounds of the effect's parameters, as far as what the model has leaves room.
+Cause bounded(Cause cause, const RobotModel& model, const std::vector<Joint>& joints) {
+  const sim::EffectCatalogue& catalogue = sim::standardEffects();
+  const sim::EffectType* type = catalogue.find(cause.effect);
+  for (FreeNumber& number : cause.free) {
+    for (const sim::Parameter& p : type->parameters) {
+      if (p.name != number.parameter) continue;
+      number.unit = p.unit;
+      number.neutral = p.neutral;
+      if (number.form == Form::Inverse) {
+        number.upper = 1 / std::max(p.min, 1 / kFar);
+        continue;
+      }
+      double most = 0;
+      for (const Joint joint : joints) {
+        const double has = presentDeviation(model, index(joint), cause.effect, p.name, catalogue);
+        most = std::max(most, has);
+      }
+      number.lower = p.min - p.neutral - most;
+      number.upper = p.max - p.neutral;
+      if (number.smallest == 0) number.smallest = p.smallest;
+    }
+  }
+  return cause;
+}
+
+class Builder {
+ public:
+  Builder(const RobotModel& model, const std::vector<Joint>& measured)
+      : model_(model), measured_(measured) {}
+
+  void add(const Cause& cause, const std::string& place, const std::vector<Joint>& joints) {
+    const std::vector<Joint>& acting = joints.empty() ? measured_ : joints;
+    all_.push_back({bounded(cause, model_, acting), place, joints});
+  }
+  void add(const Ids& ids, const std::string& place, const std::vector<Joint>& joints) {
+    for (const char* id : ids) {
+      if (const Cause* cause = find(id)) add(*cause, place, joints);
+    }
+  }
+  void addJoints(const Ids& ids, const std::vector<Joint>& joints) {
+    for (const Joint joint : joints) add(ids, model_.actuators[index(joint)].name, {joint});
+  }
+  std::vector<PlacedCause> take() { return std::move(all_); }
+
+ private:
+  const RobotModel& model_;
+  const std::vector<Joint>& measured_;
+  std::vector<PlacedCause> all_;
+};
+
+Cause worldCause(const char* effect, const char* parameter, std::vector<double> starts,
+                 const char* sentence, const char* separate) {
+  Cause cause;
+  cause.id = cause.effect = effect;
+  cause.free = {{parameter, std::move(starts), Form::Offset, "", 0, 0, 0, 0}};
+  cause.scope = Scope::Robot;
+  cause.linear = false;
+  cause.sentence = sentence;
+  cause.separate = separate;
+  return cause;
+}
+
+// Starts: free choices, from what a walk begins to feel to what lets it nearly fall.
+void addWorld(Builder& builder) {
+  builder.add(worldCause("ground_friction", "scale", {-0.7, -0.9},
+                         "the ground holds the soles with {value} of the nominal friction",
+                         "pull the standing robot sideways with a spring balance"),
+              "robot", {});
+  builder.add(worldCause("ground_compliance", "softness", {4, 20},
+                         "the ground is {value} times as soft as nominal (a carpet)",
+                         "the same walk on a hard floor"),
+              "robot", {});
+  builder.add(
+      worldCause("payload", "mass", {0.3}, "the torso carries {value} more", "weigh the robot"),
+      "robot", {});
+}
+
+std::vector<Joint> among(const std::vector<Joint>& some, const std::vector<Joint>& measured) {
+  std::vector<Joint> both;
+  for (const Joint joint : some) {
+    if (std::find(measured.begin(), measured.end(), joint) != measured.end() &&
+        std::find(both.begin(), both.end(), joint) == both.end()) {
+      both.push_back(joint);
+    }
+  }
+  return both;
+}
+
+bool isLeg(const std::string& limb) { return limb.find("Leg") != std::string::npos; }
+
+// What hangs on the chain, all links at once: their mass and, by axis, where it is.
+void addBaseParameters(Builder& builder, const std::string& limb,
+                       const std::vector<Joint>& joints) {
+  builder.add({"link_mass", "link_com.x", "link_com.y", "link_com.z"}, limb, joints);
+}
+
+}  // namespace
+
+EffectSetting PlacedCause::setting(const std::vector<double>& x) const {
+  EffectSetting setting = settingOf(cause, x);
+  setting.joints = joints;
+  return setting;
+}
+
+std::string PlacedCause::sentence(const std::string& value) const {
+  return cause.fill(place == "robot" ? "every joint" : place, value);
+}
+
+std::vector<std::string> limbsOf(const RobotModel& model, const std::vector<Joint>& measured) {
+  std::vector<std::string> limbs;
+  for (const char* limb : {"Head", "LArm", "RArm", "LLeg", "RLeg"}) {
+    if (!jointsOf(model, limb, measured).empty()) limbs.emplace_back(limb);
+  }
+  if (limbs.empty()) limbs.emplace_back("Body");
+  return limbs;
+}
+
+std::vector<Joint> jointsOf(const RobotModel& model, const std::string& limb,
+                            const std::vector<Joint>& measured) {
+  std::vector<Joint> joints;
+  const auto group = model.groups.find(limb);
+  if (group == model.groups.end()) return limb == "Body" ? measured : joints;
+  for (const std::string& name : group->second) {
+    if (const auto joint = model.findJoint(name)) joints.push_back(*joint);
+  }
+  return among(joints, measured);
+}
+
+std::vector<PlacedCause> robotCauses(const RobotModel& model, const std::vector<Joint>& measured) {
+  Builder builder(model, measured);
+  if (!model.fixed_base) addWorld(builder);
+  builder.add(kEverywhere, "robot", {});
+  for (const std::string& limb : limbsOf(model, measured)) {
+    const std::vector<Joint> joints = jointsOf(model, limb, measured);
+    if (isLeg(limb)) builder.add(kSide, limb, joints);
+    builder.addJoints(isLeg(limb) ? kLegJoint : kArmJoint, joints);
+  }
+  return builder.take();
+}
+
+std::vector<PlacedCause> limbCauses(const RobotModel& model, const std::string& limb,
+                                    const std::vector<Joint>& measured) {
+  Builder builder(model, measured);
+  const std::vector<Joint> joints = jointsOf(model, limb, measured);
+  addBaseParameters(builder, limb, joints);
+  builder.addJoints(kStops, joints);
+  builder.addJoints(kLegJoint, joints);
+  builder.add({"kp_error", "coulomb_friction", "torque_limit", "command_latency", "command_hold",
+               "command_filter", "rate_limit"},
+              limb, joints);
+  return builder.take();
+}
+
+}  // namespace nao::validation

@@ -1,0 +1,95 @@
+#include "validation/diagnosis/whole_data.h"
+
+#include <algorithm>
+
+#include "core/check.h"
+#include "validation/diagnosis/shared_cause.h"
+
+namespace nao::validation {
+
+WholeData::WholeData(const WholeSimulator& simulator, const std::vector<Joint>& joints, bool body)
+    : simulator_(simulator),
+      block_of_(simulator.measured().size()),
+      measured_(simulator.measured().size()) {
+  for (const WholeBlock& block : simulator.blocks()) {
+    const FeatureSpace space(simulator, block, joints, body);
+    offsets_.push_back(size_);
+    for (const std::size_t run : block.runs) {
+      block_of_[run] = spaces_.size();
+      measured_[run] = space.of(simulator.measured()[run]);
+    }
+    size_ += space.size();
+    if (block.split == Split::Fit) fit_size_ = size_;
+    spaces_.push_back(space);
+  }
+}
+
+Eigen::VectorXd WholeData::stackMeans(const std::vector<Eigen::VectorXd>& by_run) const {
+  Eigen::VectorXd stacked = Eigen::VectorXd::Zero(size_);
+  std::vector<double> count(spaces_.size(), 0);
+  for (std::size_t run = 0; run < by_run.size(); ++run) {
+    if (by_run[run].size() == 0) continue;
+    const std::size_t block = block_of_[run];
+    stacked.segment(offsets_[block], spaces_[block].size()) += by_run[run];
+    count[block] += 1;
+  }
+  for (std::size_t block = 0; block < spaces_.size(); ++block) {
+    if (count[block] > 0) {
+      stacked.segment(offsets_[block], spaces_[block].size()) /= count[block];
+    }
+  }
+  return stacked;
+}
+
+std::vector<WholeData::Order> WholeData::ordersFor(int per_run, std::size_t most, bool fit_only,
+                                                   std::uint64_t streams) const {
+  std::vector<Order> orders;
+  for (const WholeBlock& block : simulator_.blocks()) {
+    if (fit_only && block.split != Split::Fit) continue;
+    for (std::size_t i = 0; i < std::min(most, block.runs.size()); ++i) {
+      for (int s = 0; s < per_run; ++s) {
+        const std::size_t run = block.runs[i];
+        orders.push_back({run, (streams << 40) + (run << 16) + static_cast<std::size_t>(s) + 1});
+      }
+    }
+  }
+  return orders;
+}
+
+WholePool WholeData::simulate(const std::vector<EffectSetting>& causes, int per_run,
+                              std::size_t most, bool fit_only, std::uint64_t streams, double noise,
+                              int jobs) const {
+  const std::vector<Order> orders = ordersFor(per_run, most, fit_only, streams);
+  std::vector<Eigen::VectorXd> features(orders.size());
+  std::vector<char> fell(orders.size(), 0);
+  inParallel(orders.size(), jobs, [&](std::size_t i) {
+    const WholeRun run = simulator_.simulate(causes, orders[i].run, orders[i].stream, noise);
+    features[i] = spaces_[block_of_[orders[i].run]].of(run);
+    fell[i] = run.fell;
+  });
+  std::vector<int> total(spaces_.size(), 0), down(spaces_.size(), 0);
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    ++total[block_of_[orders[i].run]];
+    down[block_of_[orders[i].run]] += fell[i];
+  }
+  WholePool pool(measured_.size());
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    const std::size_t block = block_of_[orders[i].run];
+    const bool most_fell = 2 * down[block] > total[block];
+    if (!fell[i] || most_fell) pool[orders[i].run].push_back(std::move(features[i]));
+  }
+  return pool;
+}
+
+std::vector<Eigen::VectorXd> meansOf(const WholePool& pool) {
+  std::vector<Eigen::VectorXd> means(pool.size());
+  for (std::size_t run = 0; run < pool.size(); ++run) {
+    if (pool[run].empty()) continue;
+    means[run] = Eigen::VectorXd::Zero(pool[run].front().size());
+    for (const Eigen::VectorXd& one : pool[run]) means[run] += one;
+    means[run] /= static_cast<double>(pool[run].size());
+  }
+  return means;
+}
+
+}  // namespace nao::validation

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "validation/diagnosis/whole_features.h"
+
+namespace nao::validation {
+
+/// Simulated runs of a set: by measured run, as many as asked for.
+using WholePool = std::vector<std::vector<Eigen::VectorXd>>;
+
+/// What a diagnosis of the limb or robot level may see of a set, as features: a vector per run, and
+/// the stacked means of all blocks, those to fit first. Commands differ from run to run (a walk
+/// heeds its sensors), so every measured run is compared with simulated runs of its own commands.
+class WholeData {
+ public:
+  /// `joints`: whose angles count; `body`: whether tilt, weight, place and gait do.
+  WholeData(const WholeSimulator& simulator, const std::vector<Joint>& joints, bool body);
+
+  const WholeSimulator& simulator() const { return simulator_; }
+  const std::vector<FeatureSpace>& spaces() const { return spaces_; }  // by block
+  const std::vector<Eigen::Index>& offsets() const { return offsets_; }
+  Eigen::Index size() const { return size_; }
+  Eigen::Index fitSize() const { return fit_size_; }
+  std::size_t runs() const { return measured_.size(); }
+  std::size_t blockOf(std::size_t run) const { return block_of_[run]; }
+  const Eigen::VectorXd& measured(std::size_t run) const { return measured_[run]; }
+
+  /// A vector per run of `by_run` (empty: left out), its mean by block, stacked.
+  Eigen::VectorXd stackMeans(const std::vector<Eigen::VectorXd>& by_run) const;
+
+  /// The features of simulated runs, `per_run` for each of the first `most` runs of every block to
+  /// fit, and of the others unless `fit_only`. What fell is left out, unless most of a block did.
+  /// `streams` tells apart what the random numbers are for.
+  WholePool simulate(const std::vector<EffectSetting>& causes, int per_run, std::size_t most,
+                     bool fit_only, std::uint64_t streams, double noise, int jobs) const;
+
+ private:
+  struct Order {
+    std::size_t run;
+    std::uint64_t stream;
+  };
+  std::vector<Order> ordersFor(int per_run, std::size_t most, bool fit_only,
+                               std::uint64_t streams) const;
+
+  const WholeSimulator& simulator_;
+  std::vector<FeatureSpace> spaces_;
+  std::vector<Eigen::Index> offsets_;
+  std::vector<std::size_t> block_of_;  // by run
+  std::vector<Eigen::VectorXd> measured_;
+  Eigen::Index size_ = 0, fit_size_ = 0;
+};
+
+/// The mean over the simulated runs of each measured run; empty where there are none.
+std::vector<Eigen::VectorXd> meansOf(const WholePool& pool);
+
+}  // namespace nao::validation

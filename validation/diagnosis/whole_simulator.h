@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/effects/catalogue.h"
+#include "validation/diagnosis/whole_run.h"
+
+namespace nao::validation {
+
+/// The runs of a motion that serve one purpose.
+struct WholeBlock {
+  std::string motion;
+  Split split = Split::Fit;
+  std::vector<std::size_t> runs;  // of WholeSimulator::measured()
+  Eigen::Index rows = 0;          // of the shortest of them
+};
+
+struct WholeOptions {
+  Duration step = std::chrono::milliseconds(2);
+  double settle = 0.6;  // [s] held in the first pose before a run: a Nao's joints take 0.05 s
+  const sim::EffectCatalogue* catalogue = nullptr;  // null: standardEffects()
+};
+
+/// Predicts the runs of a set whose robot stands on its feet, or hangs by its torso: the model of
+/// the limb and robot levels. Every run's own commands are replayed, row by row, on the whole robot
+/// with contact; what the walk made of its sensors is in them already. A robot starts level on both
+/// soles, at rest, in the first row's pose. One object may be asked by several threads at once.
+class WholeSimulator {
+ public:
+  /// Test runs are left out, nobody here opens them. @throws InputError.
+  WholeSimulator(const LogSet& set, std::shared_ptr<const RobotModel> model,
+                 const WholeOptions& options = {});
+
+  const RobotModel& model() const { return *model_; }
+  const std::vector<WholeRun>& measured() const { return measured_; }
+  /// Those to fit first.
+  const std::vector<WholeBlock>& blocks() const { return blocks_; }
+  const std::vector<Joint>& joints() const { return joints_; }  // that were measured
+  const sim::EffectCatalogue& catalogue() const;
+
+  /// measured()[run] on the model with these causes. A cause is a deviation from the model
+  /// (merge_effects.h). The same `stream` draws the same random numbers whatever the causes.
+  /// `noise`: times the torque noise of the robot's file; 0: none, its encoders' and IMU's neither.
+  WholeRun simulate(const std::vector<EffectSetting>& causes, std::size_t run, std::uint64_t stream,
+                    double noise) const;
+
+ private:
+  std::shared_ptr<const RobotModel> withEffects(const std::vector<EffectSetting>& causes,
+                                                double noise) const;
+
+  std::shared_ptr<const RobotModel> model_;
+  WholeOptions options_;
+  std::vector<WholeRun> measured_;
+  std::vector<WholeBlock> blocks_;
+  std::vector<Joint> joints_;
+};
+
+}  // namespace nao::validation
