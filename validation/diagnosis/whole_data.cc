@@ -10,7 +10,8 @@ namespace nao::validation {
 WholeData::WholeData(const WholeSimulator& simulator, const std::vector<Joint>& joints, bool body)
     : simulator_(simulator),
       block_of_(simulator.measured().size()),
-      measured_(simulator.measured().size()) {
+      measured_(simulator.measured().size()),
+      joints_(joints.size()) {
   for (const WholeBlock& block : simulator.blocks()) {
     const FeatureSpace space(simulator, block, joints, body);
     offsets_.push_back(size_);

@@ -26,6 +26,7 @@ class WholeData {
   Eigen::Index size() const { return size_; }
   Eigen::Index fitSize() const { return fit_size_; }
   std::size_t runs() const { return measured_.size(); }
+  std::size_t joints() const { return joints_; }  // whose angles are the first groups of a space
   std::size_t blockOf(std::size_t run) const { return block_of_[run]; }
   const Eigen::VectorXd& measured(std::size_t run) const { return measured_[run]; }
 
@@ -51,6 +52,7 @@ class WholeData {
   std::vector<Eigen::Index> offsets_;
   std::vector<std::size_t> block_of_;  // by run
   std::vector<Eigen::VectorXd> measured_;
+  std::size_t joints_ = 0;
   Eigen::Index size_ = 0, fit_size_ = 0;
 };
 

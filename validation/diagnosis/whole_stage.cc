@@ -1,0 +1,225 @@
+#include "validation/diagnosis/whole_stage.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "core/random.h"
+#include "validation/diagnosis/shared_cause.h"
+
+namespace nao::validation {
+namespace {
+
+constexpr std::size_t kAllRuns = 1000000;
+
+std::uint64_t number(WholeStream stream) { return static_cast<std::uint64_t>(stream); }
+
+int runsPerMeasured(const WholeData& data, int runs) {
+  std::size_t most = 1;
+  for (const WholeBlock& block : data.simulator().blocks()) {
+    most = std::max(most, block.runs.size());
+  }
+  return perRun(runs, most);
+}
+
+WholePool simulate(const WholeTask& task, const WholeModel& model, WholeStream stream) {
+  return task.data->simulate(settingsOf(*task.causes, model),
+                             std::max(4, runsPerMeasured(*task.data, task.effort.base_runs)),
+                             kAllRuns, false, number(stream), task.noise, task.jobs);
+}
+
+Eigen::VectorXd residual(const WholeData& data, const std::vector<Eigen::VectorXd>& means) {
+  std::vector<Eigen::VectorXd> difference(data.runs());
+  for (std::size_t run = 0; run < data.runs(); ++run) {
+    if (means[run].size() > 0) difference[run] = data.measured(run) - means[run];
+  }
+  return data.stackMeans(difference);
+}
+
+Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
+  if (columns.cols() == 0) return columns;
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(columns);
+  return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), columns.cols());
+}
+
+Eigen::VectorXd without(const Eigen::MatrixXd& basis, Eigen::VectorXd vector) {
+  if (basis.cols() == 0) return vector;
+  const Eigen::VectorXd along = basis.transpose() * vector;
+  vector -= basis * along;
+  return vector;
+}
+
+// Starts of a cause's further numbers go with each start of its size.
+std::vector<std::vector<double>> startsOf(const Cause& cause) {
+  std::vector<std::vector<double>> starts;
+  for (const double size : cause.free[0].starts) starts.push_back({size});
+  for (std::size_t i = 1; i < cause.free.size(); ++i) {
+    std::vector<std::vector<double>> longer;
+    for (const std::vector<double>& start : starts) {
+      for (const double more : cause.free[i].starts) {
+        longer.push_back(start);
+        longer.back().push_back(more);
+      }
+    }
+    starts = std::move(longer);
+  }
+  return starts;
+}
+
+// A look serves both signs where the response is nearly linear.
+bool needsStart(const Cause& cause, const std::vector<double>& start) {
+  const bool first = start[0] == cause.free[0].starts[0];
+  const double size = start[0];
+  if (size < cause.free[0].lower || size > cause.free[0].upper) return false;
+  return first || !cause.linear || cause.free.size() > 1;
+}
+
+}  // namespace
+
+std::vector<EffectSetting> settingsOf(const std::vector<PlacedCause>& causes,
+                                      const WholeModel& model) {
+  std::vector<EffectSetting> settings;
+  for (const WholeChosen& chosen : model) {
+    settings.push_back(causes[chosen.cause].setting(chosen.x));
+  }
+  return settings;
+}
+
+WholeStage::WholeStage(const WholeTask& task, WholeModel model, const Eigen::MatrixXd& jacobian)
+    : task_(task),
+      model_(std::move(model)),
+      pool_(simulate(task_, model_, WholeStream::Base)),
+      noise_(*task_.data, pool_) {
+  const WholeData& data = *task_.data;
+  const std::vector<Eigen::VectorXd> means = meansOf(pool_);
+  raw_ = residual(data, means);
+  lookAtAll();
+  Eigen::MatrixXd directions(data.size(), noise_.directions().cols() + undeclared_.cols());
+  directions << noise_.directions(), undeclared_;
+  all_ = Whitening(noise_.sd(), directions);
+  const Eigen::Index fit = data.fitSize();
+  fit_ = Whitening(noise_.sd().head(fit), directions.topRows(fit));
+  Eigen::MatrixXd own(data.size(), jacobian.cols()), own_fit(fit, jacobian.cols());
+  for (Eigen::Index i = 0; i < jacobian.cols(); ++i) {
+    own.col(i) = whitenAll(jacobian.col(i));
+    own_fit.col(i) = whitenFit(jacobian.col(i));
+  }
+  own_all_ = orthonormal(own);
+  own_fit_ = orthonormal(own_fit);
+  inParallel(looks_.size(), task_.jobs,
+             [&](std::size_t i) { looks_[i].white = white(looks_[i].raw); });
+  simulateNulls(means);
+}
+
+void WholeStage::lookAtAll() {
+  struct Order {
+    std::size_t cause;
+    std::vector<double> x;
+  };
+  std::vector<Order> orders;
+  for (std::size_t c = 0; c < task_.causes->size(); ++c) {
+    const bool in_model = std::any_of(model_.begin(), model_.end(),
+                                      [&](const WholeChosen& one) { return one.cause == c; });
+    const Cause& cause = (*task_.causes)[c].cause;
+    if (in_model) continue;
+    for (const std::vector<double>& start : startsOf(cause)) {
+      if (needsStart(cause, start)) orders.push_back({c, start});
+    }
+  }
+  // The first runs of the pool: the streams that a look has too.
+  std::vector<Eigen::VectorXd> base(task_.data->runs());
+  const WholePool first = task_.data->simulate(
+      settingsOf(*task_.causes, model_), 1, static_cast<std::size_t>(task_.effort.look_runs), true,
+      number(WholeStream::Base), task_.noise, task_.jobs);
+  for (std::size_t run = 0; run < base.size(); ++run) {
+    if (!first[run].empty()) base[run] = first[run].front();
+  }
+  looks_.resize(orders.size());
+  inParallel(orders.size(), task_.jobs,
+             [&](std::size_t i) { looks_[i] = look(orders[i].cause, orders[i].x, base); });
+  std::vector<Eigen::VectorXd> spreads;
+  for (const WholeLook& one : looks_) {
+    const double spread = (*task_.causes)[one.cause].cause.spread;
+    if (spread > 0 && one.x[0] != 0) spreads.push_back(one.raw * (spread / one.x[0]));
+  }
+  undeclared_.resize(task_.data->size(), static_cast<Eigen::Index>(spreads.size()));
+  for (std::size_t i = 0; i < spreads.size(); ++i) {
+    undeclared_.col(static_cast<Eigen::Index>(i)) = spreads[i];
+  }
+}
+
+WholeLook WholeStage::look(std::size_t cause, const std::vector<double>& x,
+                           const std::vector<Eigen::VectorXd>& base) const {
+  WholeModel with = model_;
+  with.push_back({cause, x});
+  const WholePool pool = task_.data->simulate(settingsOf(*task_.causes, with), 1,
+                                              static_cast<std::size_t>(task_.effort.look_runs),
+                                              true, number(WholeStream::Base), task_.noise, 1);
+  std::vector<Eigen::VectorXd> change(base.size());
+  for (std::size_t run = 0; run < base.size(); ++run) {
+    if (base[run].size() > 0 && !pool[run].empty()) change[run] = pool[run].front() - base[run];
+  }
+  WholeLook look{cause, x, task_.data->stackMeans(change), {}, 0, 0};
+  const Cause& of = (*task_.causes)[cause].cause;
+  const double low = of.free[0].lower / x[0], high = of.free[0].upper / x[0];
+  look.lower = of.linear ? std::min(low, high) : 0;
+  look.upper = std::max(low, high);
+  return look;
+}
+
+void WholeStage::simulateNulls(const std::vector<Eigen::VectorXd>& means) {
+  const WholeData& data = *task_.data;
+  const WholePool pool = simulate(task_, model_, WholeStream::Null);
+  Random random(7, "null sets");
+  for (int set = 0; set < task_.effort.null_sets; ++set) {
+    std::vector<Eigen::VectorXd> drawn(data.runs());
+    for (std::size_t run = 0; run < data.runs(); ++run) {
+      if (pool[run].empty() || means[run].size() == 0) continue;
+      const auto pick =
+          static_cast<std::size_t>(random.uniform() * static_cast<double>(pool[run].size()));
+      drawn[run] = pool[run][pick] - means[run];
+    }
+    Eigen::VectorXd null = noise_.raised().cwiseProduct(data.stackMeans(drawn));
+    for (Eigen::Index i = 0; i < undeclared_.cols(); ++i) {
+      null += random.normal() * undeclared_.col(i);
+    }
+    nulls_.push_back(std::move(null));
+  }
+}
+
+Eigen::VectorXd WholeStage::whitenFit(const Eigen::VectorXd& raw) const {
+  return fit_(raw.head(task_.data->fitSize()));
+}
+Eigen::VectorXd WholeStage::white(const Eigen::VectorXd& raw) const {
+  return without(own_fit_, whitenFit(raw));
+}
+Eigen::VectorXd WholeStage::whiteAll(const Eigen::VectorXd& raw) const {
+  return without(own_all_, whitenAll(raw));
+}
+
+double WholeStage::gain(const WholeLook& look, const Eigen::VectorXd& white, double* scale) {
+  const double along = look.white.dot(white), square = look.white.squaredNorm();
+  double best = square > 0 ? along / square : 0;
+  best = std::clamp(best, look.lower, look.upper);
+  if (scale) *scale = best;
+  return best * along - best * best * square / 2;
+}
+
+std::vector<double> WholeStage::nullGains() const {
+  std::vector<double> gains(nulls_.size());
+  inParallel(nulls_.size(), task_.jobs, [&](std::size_t n) {
+    const Eigen::VectorXd residual = white(nulls_[n]);
+    for (const WholeLook& look : looks_) gains[n] = std::max(gains[n], gain(look, residual));
+  });
+  return gains;
+}
+
+std::vector<double> WholeStage::nullMisfits() const {
+  std::vector<double> misfits(nulls_.size());
+  inParallel(nulls_.size(), task_.jobs, [&](std::size_t n) {
+    misfits[n] = whiteAll(nulls_[n]).squaredNorm() / static_cast<double>(nulls_[n].size());
+  });
+  return misfits;
+}
+
+}  // namespace nao::validation

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <vector>
+
+#include "validation/diagnosis/whitening.h"
+#include "validation/diagnosis/whole_causes.h"
+#include "validation/diagnosis/whole_noise.h"
+
+namespace nao::validation {
+
+/// A cause of a list with its numbers, as part of a model.
+struct WholeChosen {
+  std::size_t cause = 0;
+  std::vector<double> x;
+};
+using WholeModel = std::vector<WholeChosen>;
+
+std::vector<EffectSetting> settingsOf(const std::vector<PlacedCause>& causes,
+                                      const WholeModel& model);
+
+/// What switching a cause on does to the means of the blocks to fit.
+struct WholeLook {
+  std::size_t cause = 0;
+  std::vector<double> x;
+  Eigen::VectorXd raw;          // all blocks; 0 beyond those to fit
+  Eigen::VectorXd white;        // those to fit
+  double lower = 0, upper = 0;  // how far it may be scaled
+};
+
+/// How the search of one level simulates.
+struct WholeTask {
+  const WholeData* data = nullptr;
+  const std::vector<PlacedCause>* causes = nullptr;
+  WholeEffort effort;
+  double noise = 1;  // times the torque noise of the robot's file
+  int jobs = 1;
+};
+
+/// A model of a whole robot compared with its measurement: residual, a look at every cause, and
+/// the residuals of sets that the model itself makes (nulls), undeclared differences between equal
+/// robots included.
+class WholeStage {
+ public:
+  /// `jacobian`: the change of the stacked means per number of the model.
+  WholeStage(const WholeTask& task, WholeModel model, const Eigen::MatrixXd& jacobian);
+
+  const WholeModel& model() const { return model_; }
+  const std::vector<WholeLook>& looks() const { return looks_; }
+  const Eigen::VectorXd& raw() const { return raw_; }  // measured minus simulated means
+  const Eigen::VectorXd& sd() const { return noise_.sd(); }
+  const std::vector<Eigen::VectorXd>& nulls() const { return nulls_; }  // raw
+
+  /// Of a raw residual: the blocks to fit whitened; all blocks; and either without what the model's
+  /// own numbers could explain.
+  Eigen::VectorXd whitenFit(const Eigen::VectorXd& raw) const;
+  Eigen::VectorXd whitenAll(const Eigen::VectorXd& raw) const { return all_(raw); }
+  Eigen::VectorXd white(const Eigen::VectorXd& raw) const;
+  Eigen::VectorXd whiteAll(const Eigen::VectorXd& raw) const;
+
+  /// What a look explains of a white() residual at its best scale [nats].
+  static double gain(const WholeLook& look, const Eigen::VectorXd& white, double* scale = nullptr);
+  /// The largest gains of the null sets.
+  std::vector<double> nullGains() const;
+  /// Mean squares of whiteAll() residuals of the null sets.
+  std::vector<double> nullMisfits() const;
+
+ private:
+  void lookAtAll();
+  WholeLook look(std::size_t cause, const std::vector<double>& x,
+                 const std::vector<Eigen::VectorXd>& base) const;
+  void simulateNulls(const std::vector<Eigen::VectorXd>& means);
+
+  WholeTask task_;
+  WholeModel model_;
+  WholePool pool_;
+  WholeNoise noise_;
+  Eigen::VectorXd raw_;
+  std::vector<WholeLook> looks_;
+  Eigen::MatrixXd undeclared_;  // one SD of each difference between equal robots
+  Whitening fit_, all_;
+  Eigen::MatrixXd own_fit_, own_all_;  // orthonormal: what the model's numbers explain
+  std::vector<Eigen::VectorXd> nulls_;
+};
+
+}  // namespace nao::validation
