@@ -10,6 +10,9 @@ namespace {
 
 constexpr double kFar = 1e9;  // of a parameter whose neutral value is as good as infinite
 
+// Starts of a cause that are looked at: a whole robot costs more than a joint. Free choices.
+constexpr std::size_t kStartsEverywhere = 3, kStartsSomewhere = 2;
+
 using Ids = std::vector<const char*>;
 
 // What one number for all joints can be wrong about.
@@ -68,21 +71,31 @@ class Builder {
   void add(const Cause& cause, const std::string& place, const std::vector<Joint>& joints) {
     const std::vector<Joint>& acting = joints.empty() ? measured_ : joints;
     all_.push_back({bounded(cause, model_, acting), place, joints});
+    std::vector<double>& starts = all_.back().cause.free[0].starts;
+    const std::size_t most = joints.empty() ? kStartsEverywhere : kStartsSomewhere;
+    if (starts.size() > most) starts.resize(most);
   }
   void add(const Ids& ids, const std::string& place, const std::vector<Joint>& joints) {
     for (const char* id : ids) {
       if (const Cause* cause = find(id)) add(*cause, place, joints);
     }
   }
+  // Two legs may share a joint: it is tried once.
   void addJoints(const Ids& ids, const std::vector<Joint>& joints) {
-    for (const Joint joint : joints) add(ids, model_.actuators[index(joint)].name, {joint});
+    for (const Joint joint : joints) {
+      if (std::find(done_.begin(), done_.end(), joint) != done_.end()) continue;
+      add(ids, model_.actuators[index(joint)].name, {joint});
+      added_.push_back(joint);
+    }
   }
+  void endLimb() { done_.insert(done_.end(), added_.begin(), added_.end()); }
   std::vector<PlacedCause> take() { return std::move(all_); }
 
  private:
   const RobotModel& model_;
   const std::vector<Joint>& measured_;
   std::vector<PlacedCause> all_;
+  std::vector<Joint> added_, done_;
 };
 
 Cause worldCause(const char* effect, const char* parameter, std::vector<double> starts,
@@ -171,6 +184,7 @@ std::vector<PlacedCause> robotCauses(const RobotModel& model, const std::vector<
     const std::vector<Joint> joints = jointsOf(model, limb, measured);
     if (isLeg(limb)) builder.add(kSide, limb, joints);
     builder.addJoints(isLeg(limb) ? kLegJoint : kArmJoint, joints);
+    builder.endLimb();
   }
   return builder.take();
 }

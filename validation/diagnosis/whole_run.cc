@@ -126,6 +126,7 @@ WholeRun wholeRunOf(const LogRun& run, const LogSet& set, const RobotModel& mode
     readJoint(reader, joint, static_cast<Eigen::Index>(index(*found)), whole);
   }
   whole.tilt = reader.columns({"imu.ang.x", "imu.ang.y"});
+  whole.turning = reader.columns({"imu.gyr.x", "imu.gyr.y"});
   whole.fell = whole.tilt.size() > 0 && whole.tilt.cwiseAbs().maxCoeff() > M_PI / 4;
   whole.weight = weightOf(reader);
   whole.place = placeOf(reader);

@@ -7,6 +7,7 @@
 #include "core/random.h"
 #include "core/world_model.h"
 #include "sim/world.h"
+#include "validation/diagnosis/gait_numbers.h"
 #include "validation/diagnosis/merge_effects.h"
 #include "validation/suspended.h"
 
@@ -15,12 +16,64 @@ namespace {
 
 constexpr double kFallenTilt = 45 * M_PI / 180;  // [rad] nobody comes back from there
 
+// What a walk makes of its gyroscope is in the commands of a run already; what it would have made
+// of what a replay feels beside that is added here, or a replay rocks as no walk would. Ankles that
+// stand turn with the torso's excess rate, and with its excess pitch a little; hips give way in
+// roll. The law is the ankle strategy that walks have in common (Horak and Nashner 1986); the gains
+// are of the order that walks for a Nao use. Free choices.
+class Balance {
+ public:
+  explicit Balance(const RobotModel& model) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::string side = i == 0 ? "L" : "R";
+      pitch_[i] = model.findJoint(side + "AnklePitch");
+      roll_[i] = model.findJoint(side + "AnkleRoll");
+      hip_[i] = model.findJoint(side + "HipRoll");
+    }
+  }
+
+  void apply(const SensorFrame& frame, const WholeRun& measured, Eigen::Index k,
+             JointArray<double>& angle) const {
+    const double roll_rate = frame.gyroscope.x() - measured.turning(k, 0);
+    const double pitch_rate = frame.gyroscope.y() - measured.turning(k, 1);
+    const double pitch = frame.angle_y - measured.tilt(k, 1);
+    const double weight = frame.feet[0].total + frame.feet[1].total;
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (frame.feet[i].total < kStands * weight) continue;
+      add(angle, roll_[i], kRollRate * roll_rate);
+      add(angle, pitch_[i], kPitchRate * pitch_rate + kPitch * pitch);
+      add(angle, hip_[i], -kHip * roll_rate);
+    }
+  }
+
+ private:
+  static constexpr double kRollRate = 0.06, kPitchRate = 0.035, kHip = 0.02;  // [s]
+  static constexpr double kPitch = 0.1;
+  static constexpr double kStands = 0.1;  // of the weight
+  static constexpr double kMost = 0.15;   // [rad]
+
+  static void add(JointArray<double>& angle, const std::optional<Joint>& joint, double by) {
+    if (joint) angle[*joint] += std::clamp(by, -kMost, kMost);
+  }
+
+  std::array<std::optional<Joint>, 2> pitch_, roll_, hip_;  // left, right
+};
+
+bool walks(const WholeRun& run) {
+  if (run.turning.size() == 0 || run.tilt.size() == 0) return false;
+  for (const GaitNumber& number : calcGait(run)) {
+    if (number.name == "steps") return number.value >= 3;
+  }
+  return false;
+}
+
 // One replay of a run's commands.
 class Replay {
  public:
-  Replay(std::shared_ptr<const RobotModel> model, const WholeRun& measured,
+  Replay(std::shared_ptr<const RobotModel> model, const WholeRun& measured, const Balance* balance,
          const sim::WorldOptions& options)
       : measured_(measured),
+        balance_(balance),
         catalogue_(*options.effects),
         drawn_(options.seed != 0),
         robot_(*model),
@@ -32,10 +85,16 @@ class Replay {
     take(0);
     const JointArray<double> start = startAngles(Random(seed, "start"));
     world_.placeRobot(0, {}, &start);
-    for (long i = std::lround(settle / measured_.dt); i > 0; --i) cycle();
+    for (long i = std::lround(settle / measured_.dt); i > 0; --i) {
+      world_.readSensors(0);
+      move();
+    }
     for (Eigen::Index k = 0; k < measured_.rows() && world_.healthy(); ++k) {
       take(k);
-      row(k, cycle());
+      const SensorFrame frame = world_.readSensors(0);
+      if (balance_) balance_->apply(frame, measured_, k, order_.angle);
+      move();
+      row(k, frame);
     }
     if (!world_.healthy()) played_.fell = true;
     if (played_.place.size() > 0) played_.place = fromFirstRow(played_.place);
@@ -77,12 +136,10 @@ class Replay {
     }
   }
 
-  SensorFrame cycle() {
-    const SensorFrame frame = world_.readSensors(0);
+  void move() {
     world_.setCommand(0, order_);
     const SimTime end = world_.now() + robot_.cycle;
     while (world_.now() < end && world_.healthy()) world_.step();
-    return frame;
   }
 
   void row(Eigen::Index k, const SensorFrame& frame) {
@@ -110,6 +167,7 @@ class Replay {
   }
 
   const WholeRun& measured_;
+  const Balance* balance_;  // null: the robot did not walk
   const sim::EffectCatalogue& catalogue_;
   const bool drawn_;
   const RobotModel robot_;
@@ -117,6 +175,26 @@ class Replay {
   JointCommand order_;
   WholeRun played_;
 };
+
+// Rows up to half a second after the last order that differs from the one before: a robot that
+// stands still tells no more.
+Eigen::Index rowsThatMove(const WholeRun& run) {
+  constexpr double kStill = 1e-4;  // [rad]
+  Eigen::Index last = run.rows() - 1;
+  while (last > 0 &&
+         (run.command.row(last) - run.command.row(last - 1)).cwiseAbs().maxCoeff() < kStill) {
+    --last;
+  }
+  if (last == 0) return run.rows();
+  return std::min<Eigen::Index>(run.rows(), last + std::lround(0.5 / run.dt));
+}
+
+void cut(WholeRun& run, Eigen::Index rows) {
+  for (Eigen::MatrixXd* signal : {&run.command, &run.stiffness, &run.angle, &run.tilt, &run.turning,
+                                  &run.weight, &run.place}) {
+    if (signal->rows() > rows) signal->conservativeResize(rows, Eigen::NoChange);
+  }
+}
 
 // Why repeats differ, as far as it is drawn anew in every run: the floor of a set is one floor, and
 // places count from where a run began.
@@ -150,11 +228,17 @@ WholeSimulator::WholeSimulator(const LogSet& set, std::shared_ptr<const RobotMod
       auto at = std::find_if(blocks_.begin(), blocks_.end(), same);
       if (at == blocks_.end()) at = blocks_.insert(at, WholeBlock{run.motion, split, {}, 0});
       measured_.push_back(wholeRunOf(run, set, *model_));
-      const Eigen::Index rows = measured_.back().rows();
-      at->rows = at->runs.empty() ? rows : std::min(at->rows, rows);
+      at->rows = std::max(at->rows, rowsThatMove(measured_.back()));
       at->runs.push_back(measured_.size() - 1);
     }
   }
+  for (WholeBlock& block : blocks_) {
+    for (const std::size_t run : block.runs) {
+      block.rows = std::min(block.rows, measured_[run].rows());
+    }
+    for (const std::size_t run : block.runs) cut(measured_[run], block.rows);
+  }
+  for (const WholeRun& run : measured_) walks_.push_back(!model_->fixed_base && walks(run));
   if (blocks_.empty() || blocks_.front().split != Split::Fit) {
     throw InputError(set.name + ": expected at least one run to fit");
   }
@@ -181,7 +265,10 @@ WholeRun WholeSimulator::simulate(const std::vector<EffectSetting>& causes, std:
   sim::WorldOptions options(options_.step);
   options.seed = stream;
   options.effects = &catalogue();
-  return Replay(withEffects(causes, noise), measured_[run], options).run(options_.settle, stream);
+  const Balance balance(*model_);
+  const Balance* balances = walks_[run] ? &balance : nullptr;
+  return Replay(withEffects(causes, noise), measured_[run], balances, options)
+      .run(options_.settle, stream);
 }
 
 }  // namespace nao::validation

@@ -20,7 +20,7 @@ struct WholeBlock {
 
 struct WholeOptions {
   Duration step = std::chrono::milliseconds(2);
-  double settle = 0.6;  // [s] held in the first pose before a run: a Nao's joints take 0.05 s
+  double settle = 2.5;  // [s] held in the first pose before a run: the torso's angle settles in 1 s
   const sim::EffectCatalogue* catalogue = nullptr;  // null: standardEffects()
 };
 
@@ -54,6 +54,7 @@ class WholeSimulator {
   std::shared_ptr<const RobotModel> model_;
   WholeOptions options_;
   std::vector<WholeRun> measured_;
+  std::vector<bool> walks_;  // by run
   std::vector<WholeBlock> blocks_;
   std::vector<Joint> joints_;
 };

@@ -85,7 +85,8 @@ std::vector<EffectSetting> settingsOf(const std::vector<PlacedCause>& causes,
   return settings;
 }
 
-WholeStage::WholeStage(const WholeTask& task, WholeModel model, const Eigen::MatrixXd& jacobian)
+WholeStage::WholeStage(const WholeTask& task, WholeModel model, const Eigen::MatrixXd& jacobian,
+                       const WholeStage* before)
     : task_(task),
       model_(std::move(model)),
       pool_(simulate(task_, model_, WholeStream::Base)),
@@ -93,7 +94,12 @@ WholeStage::WholeStage(const WholeTask& task, WholeModel model, const Eigen::Mat
   const WholeData& data = *task_.data;
   const std::vector<Eigen::VectorXd> means = meansOf(pool_);
   raw_ = residual(data, means);
-  lookAtAll();
+  if (before) {
+    takeLooks(*before);
+  } else {
+    lookAtAll();
+  }
+  gatherUndeclared();
   Eigen::MatrixXd directions(data.size(), noise_.directions().cols() + undeclared_.cols());
   directions << noise_.directions(), undeclared_;
   all_ = Whitening(noise_.sd(), directions);
@@ -118,10 +124,8 @@ void WholeStage::lookAtAll() {
   };
   std::vector<Order> orders;
   for (std::size_t c = 0; c < task_.causes->size(); ++c) {
-    const bool in_model = std::any_of(model_.begin(), model_.end(),
-                                      [&](const WholeChosen& one) { return one.cause == c; });
     const Cause& cause = (*task_.causes)[c].cause;
-    if (in_model) continue;
+    if (inModel(c)) continue;
     for (const std::vector<double>& start : startsOf(cause)) {
       if (needsStart(cause, start)) orders.push_back({c, start});
     }
@@ -137,6 +141,20 @@ void WholeStage::lookAtAll() {
   looks_.resize(orders.size());
   inParallel(orders.size(), task_.jobs,
              [&](std::size_t i) { looks_[i] = look(orders[i].cause, orders[i].x, base); });
+}
+
+bool WholeStage::inModel(std::size_t cause) const {
+  return std::any_of(model_.begin(), model_.end(),
+                     [&](const WholeChosen& one) { return one.cause == cause; });
+}
+
+void WholeStage::takeLooks(const WholeStage& before) {
+  for (const WholeLook& look : before.looks_) {
+    if (!inModel(look.cause)) looks_.push_back(look);
+  }
+}
+
+void WholeStage::gatherUndeclared() {
   std::vector<Eigen::VectorXd> spreads;
   for (const WholeLook& one : looks_) {
     const double spread = (*task_.causes)[one.cause].cause.spread;

@@ -41,8 +41,10 @@ struct WholeTask {
 /// robots included.
 class WholeStage {
  public:
-  /// `jacobian`: the change of the stacked means per number of the model.
-  WholeStage(const WholeTask& task, WholeModel model, const Eigen::MatrixXd& jacobian);
+  /// `jacobian`: the change of the stacked means per number of the model. `before`: a stage whose
+  /// looks serve this one too, as a whole robot costs; null: all are new.
+  WholeStage(const WholeTask& task, WholeModel model, const Eigen::MatrixXd& jacobian,
+             const WholeStage* before = nullptr);
 
   const WholeModel& model() const { return model_; }
   const std::vector<WholeLook>& looks() const { return looks_; }
@@ -66,6 +68,9 @@ class WholeStage {
 
  private:
   void lookAtAll();
+  void takeLooks(const WholeStage& before);
+  void gatherUndeclared();
+  bool inModel(std::size_t cause) const;
   WholeLook look(std::size_t cause, const std::vector<double>& x,
                  const std::vector<Eigen::VectorXd>& base) const;
   void simulateNulls(const std::vector<Eigen::VectorXd>& means);

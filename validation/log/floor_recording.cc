@@ -12,6 +12,8 @@ using std::chrono_literals::operator""ms;
 
 constexpr Duration kWakingUp = 5000ms;  // from Crouch to StandInit, and to rest
 constexpr double kKeyStep = 0.02;       // [s] between keys of a motion
+// [s] of rest in a run before its motion: what a replay starts from. Free choice.
+constexpr double kRestBefore = 0.3;
 
 class FloorRun {
  public:
@@ -25,15 +27,10 @@ class FloorRun {
     ask(motion::WakeUp{});
     ask(motion::SetFallManager{false});
     simulation_.advanceTo(SimTime(kWakingUp));
-    ask(actionOf(motion));
     const SimTime begin = simulation_.now();
-    while (toSeconds(simulation_.now() - begin) < motion.duration) {
-      simulation_.advanceTo(simulation_.now() + robot_.cycle);
-      run.t.push_back(toSeconds(simulation_.now() - begin));
-      writeJoints(run);
-      writeBody(run);
-      writeTruth(run);
-    }
+    watch(begin, kRestBefore, run);
+    ask(actionOf(motion));
+    watch(begin, kRestBefore + motion.duration, run);
   }
 
  private:
@@ -45,6 +42,16 @@ class FloorRun {
 
   void ask(const motion::MotionAction& action) {
     NAO_CHECK(simulation_.robot(0).ports()->requests.post({++last_id_, action}));
+  }
+
+  void watch(SimTime begin, double until, LogRun& run) {
+    while (toSeconds(simulation_.now() - begin) < until) {
+      simulation_.advanceTo(simulation_.now() + robot_.cycle);
+      run.t.push_back(toSeconds(simulation_.now() - begin));
+      writeJoints(run);
+      writeBody(run);
+      writeTruth(run);
+    }
   }
 
   motion::MotionAction actionOf(const FloorMotion& motion) const {

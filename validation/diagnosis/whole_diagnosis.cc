@@ -1,0 +1,188 @@
+#include "validation/diagnosis/whole_diagnosis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "validation/diagnosis/gait_numbers.h"
+
+namespace nao::validation {
+namespace {
+
+// Robots in the order of their first runs.
+std::vector<std::string> robotsOf(const LogSet& set) {
+  std::vector<std::string> robots;
+  for (const LogRun& run : set.runs) {
+    if (std::find(robots.begin(), robots.end(), run.robot_id) == robots.end()) {
+      robots.push_back(run.robot_id);
+    }
+  }
+  return robots;
+}
+
+LogSet runsOf(const LogSet& set, const std::string& robot) {
+  LogSet part = set;
+  const auto other = [&](const LogRun& run) { return run.robot_id != robot; };
+  part.runs.erase(std::remove_if(part.runs.begin(), part.runs.end(), other), part.runs.end());
+  return part;
+}
+
+struct Moments {
+  double sum = 0, squares = 0, count = 0;
+  void add(double x) {
+    sum += x;
+    squares += x * x;
+    count += 1;
+  }
+  double mean() const { return count > 0 ? sum / count : 0; }
+  double sd() const {
+    return count > 1 ? std::sqrt(std::max(0.0, (squares - sum * sum / count) / (count - 1))) : 0;
+  }
+};
+
+// One robot of a set.
+class RobotCase {
+ public:
+  RobotCase(const LogSet& set, std::string robot, bool alone,
+            const std::shared_ptr<const RobotModel>& model, const WholeDiagnosisOptions& options,
+            WholeDiagnosis& into)
+      : robot_(std::move(robot)),
+        prefix_(alone ? "" : robot_ + "/"),
+        options_(options),
+        simulator_(runsOf(set, robot_), model),
+        into_(into) {}
+
+  // `false_alarms`: of this robot.
+  void diagnose(double false_alarms) {
+    const WholeData data(simulator_, simulator_.joints(), options_.level == Level::Robot);
+    tell("comparing the scatter of the repeats");
+    spread_ = fitSpread(data, options_.jobs);
+    into_.spreads.push_back({robot_, spread_});
+    if (options_.level == Level::Robot) {
+      search(data, robotCauses(simulator_.model(), simulator_.joints()), "robot", false_alarms);
+      listGait();
+      return;
+    }
+    const auto limbs = limbsOf(simulator_.model(), simulator_.joints());
+    for (const std::string& limb : limbs) {
+      const WholeData part(simulator_, jointsOf(simulator_.model(), limb, simulator_.joints()),
+                           false);
+      search(part, limbCauses(simulator_.model(), limb, simulator_.joints()), limb,
+             false_alarms / static_cast<double>(limbs.size()));
+    }
+  }
+
+ private:
+  void search(const WholeData& data, const std::vector<PlacedCause>& causes,
+              const std::string& whole, double false_alarms) {
+    const WholeTask task{&data, &causes, options_.effort, spread_.noise, options_.jobs};
+    WholeSearch search(
+        task, [&](const std::string& what) { tell(whole + ": " + what); }, false_alarms);
+    const WholeVerdict found = search.run();
+    for (const EffectSetting& setting : settingsOf(causes, found.model)) found_.push_back(setting);
+    addVerdict(found, whole);
+  }
+
+  void addVerdict(const WholeVerdict& found, const std::string& whole) {
+    JointVerdict all;
+    all.joint = prefix_ + whole;
+    all.verdict = found.verdict;
+    all.rejected = found.rejected;
+    all.critical_gain = found.critical_gain;
+    all.misfit_before = found.misfit_before;
+    all.misfit_after = found.misfit_after;
+    all.remainder_score = found.remainder;
+    all.remainder_critical = found.remainder_critical;
+    all.signature = found.signature;
+    const std::size_t first = into_.set.joints.size();
+    into_.set.joints.push_back(all);
+    for (const PlacedFinding& one : found.findings) {
+      if (one.place == "robot" || one.place == whole) {
+        into_.set.joints[first].findings.push_back(one.finding);
+      } else {
+        placeOf(one.place, first).findings.push_back(one.finding);
+      }
+    }
+    for (std::size_t i = first; i < into_.set.joints.size(); ++i)
+      settle(into_.set.joints[i], found);
+    into_.set.critical_gain = std::max(into_.set.critical_gain, found.critical_gain);
+  }
+
+  JointVerdict& placeOf(const std::string& place, std::size_t first) {
+    auto& joints = into_.set.joints;
+    for (std::size_t i = first; i < joints.size(); ++i) {
+      if (joints[i].joint == prefix_ + place) return joints[i];
+    }
+    joints.emplace_back();
+    joints.back().joint = prefix_ + place;
+    joints.back().critical_gain = joints[first].critical_gain;
+    joints.back().misfit_before = joints[first].misfit_before;
+    joints.back().misfit_after = joints[first].misfit_after;
+    return joints.back();
+  }
+
+  // A place's own word: what remains is the whole's.
+  static void settle(JointVerdict& joint, const WholeVerdict& found) {
+    const auto named = joint.named();
+    const bool whole = !joint.rejected.empty() || joint.remainder_critical > 0;
+    const bool remains = whole && found.remainder > found.remainder_critical;
+    const bool rivals = std::any_of(named.begin(), named.end(),
+                                    [](const Finding* one) { return !one->rivals.empty(); });
+    joint.verdict =
+        named.empty() ? Verdict::NoDiscrepancy : (rivals ? Verdict::Ambiguous : Verdict::Named);
+    if (!remains) return;
+    const bool any = std::any_of(found.findings.begin(), found.findings.end(),
+                                 [](const PlacedFinding& one) { return !one.finding.small; });
+    joint.verdict = any ? Verdict::PartlyExplained : Verdict::Unknown;
+  }
+
+  void listGait() {
+    for (const WholeBlock& block : simulator_.blocks()) {
+      std::map<std::string, Moments> measured, nominal, extended;
+      for (const std::size_t run : block.runs) {
+        addTo(measured, simulator_.measured()[run]);
+        addTo(nominal, simulator_.simulate({}, run, run + 1, spread_.noise));
+        addTo(extended, simulator_.simulate(found_, run, run + 1, spread_.noise));
+      }
+      for (const GaitNumber& number : calcGait(simulator_.measured()[block.runs.front()])) {
+        const std::string& name = number.name;
+        into_.gait.push_back({robot_, block.motion, name, number.unit, measured[name].mean(),
+                              measured[name].sd(), nominal[name].mean(), nominal[name].sd(),
+                              extended[name].mean()});
+      }
+    }
+  }
+
+  static void addTo(std::map<std::string, Moments>& moments, const WholeRun& run) {
+    for (const GaitNumber& number : calcGait(run)) moments[number.name].add(number.value);
+  }
+
+  void tell(const std::string& what) const {
+    if (options_.progress) options_.progress(prefix_ + what);
+  }
+
+  std::string robot_, prefix_;
+  const WholeDiagnosisOptions& options_;
+  WholeSimulator simulator_;
+  WholeDiagnosis& into_;
+  WholeSpread spread_;
+  std::vector<EffectSetting> found_;
+};
+
+}  // namespace
+
+WholeDiagnosis diagnoseWhole(const LogSet& set, const std::shared_ptr<const RobotModel>& model,
+                             const WholeDiagnosisOptions& options) {
+  constexpr double kFalseAlarms = 0.01;  // per whole data set
+  WholeDiagnosis diagnosis;
+  const std::vector<std::string> robots = robotsOf(set);
+  for (const std::string& robot : robots) {
+    RobotCase one(set, robot, robots.size() == 1, model, options, diagnosis);
+    one.diagnose(kFalseAlarms / static_cast<double>(robots.size()));
+  }
+  diagnosis.set.null_sets = options.effort.null_sets;
+  diagnosis.set.verdict = overall(diagnosis.set.joints);
+  return diagnosis;
+}
+
+}  // namespace nao::validation

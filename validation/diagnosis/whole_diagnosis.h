@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "validation/diagnosis/diagnosis_json.h"
+#include "validation/diagnosis/whole_search.h"
+#include "validation/diagnosis/whole_spread.h"
+
+namespace nao::validation {
+
+/// joint: RigSet and JointSearch; the other two replay the whole robot.
+enum class Level { Limb, Robot };
+
+struct WholeDiagnosisOptions {
+  Level level = Level::Robot;
+  WholeEffort effort;
+  int jobs = 1;  // threads; the result is the same for any number
+  std::function<void(const std::string&)> progress;
+};
+
+/// A gait number of one motion, measured and simulated.
+struct GaitRow {
+  std::string robot, motion, name, unit;
+  double measured = 0, measured_sd = 0;  // of the repeats
+  double nominal = 0, nominal_sd = 0;    // of the nominal model
+  double extended = 0;                   // with what was found
+};
+
+/// What the limb or robot level shows of a set. Where its runs are of several robots each is
+/// diagnosed by itself, with thresholds for all of them together.
+struct WholeDiagnosis {
+  /// As at the joint level: one entry per place that has a finding, and first one for the robot (or
+  /// limb) as a whole, which holds what was rejected and what remains.
+  SetDiagnosis set;
+  struct RobotSpread {
+    std::string robot;
+    WholeSpread spread;
+  };
+  std::vector<RobotSpread> spreads;
+  std::vector<GaitRow> gait;
+};
+
+/// @throws InputError for a set that the model can not replay.
+WholeDiagnosis diagnoseWhole(const LogSet& set, const std::shared_ptr<const RobotModel>& model,
+                             const WholeDiagnosisOptions& options);
+
+/// report.json and the text for a person: those of the joint level, and second moments and gait.
+std::string toJson(const WholeDiagnosis& diagnosis, const Provenance& provenance);
+std::string toText(const WholeDiagnosis& diagnosis);
+
+}  // namespace nao::validation

@@ -1,0 +1,69 @@
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "validation/diagnosis/whole_diagnosis.h"
+#include "validation/report.h"
+
+namespace nao::validation {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string sentenceOf(const WholeDiagnosis::RobotSpread& one) {
+  const WholeSpread& spread = one.spread;
+  const std::string more = spread.noise > spread.high ? "more" : "less";
+  return "process_noise: repeats of " + one.robot + " scatter " + more +
+         " than the model's noise lets them: " + fixed(spread.noise, 2) +
+         " times its torque noise fits them, chance gives " + fixed(spread.low, 2) + " to " +
+         fixed(spread.high, 2);
+}
+
+}  // namespace
+
+std::string toJson(const WholeDiagnosis& diagnosis, const Provenance& provenance) {
+  Json all = Json::parse(toJson(diagnosis.set, provenance));
+  Json spreads = Json::array(), gait = Json::array();
+  for (const auto& one : diagnosis.spreads) {
+    spreads.push_back({{"robot", one.robot},
+                       {"process_noise_scale", one.spread.noise},
+                       {"chance_99", {one.spread.low, one.spread.high}},
+                       {"differs", one.spread.differs},
+                       {"measured_sd_rad", one.spread.measured_sd},
+                       {"simulated_sd_rad", one.spread.simulated_sd}});
+  }
+  for (const GaitRow& row : diagnosis.gait) {
+    gait.push_back({{"robot", row.robot},
+                    {"motion", row.motion},
+                    {"name", row.name},
+                    {"measured", row.measured},
+                    {"measured_sd", row.measured_sd},
+                    {"nominal", row.nominal},
+                    {"nominal_sd", row.nominal_sd},
+                    {"extended", row.extended}});
+  }
+  all["second_moments"] = spreads;
+  all["gait"] = gait;
+  return all.dump(2);
+}
+
+std::string toText(const WholeDiagnosis& diagnosis) {
+  std::ostringstream out;
+  out << toText(diagnosis.set);
+  for (const auto& one : diagnosis.spreads) {
+    if (one.spread.differs) out << sentenceOf(one) << "\n";
+  }
+  TextTable table{
+      "Mean of the runs", {"motion", "", "measured", "nominal", "with what was found"}, {}};
+  for (const GaitRow& row : diagnosis.gait) {
+    table.lines.push_back({row.motion, row.name, fixed(row.measured, 4), fixed(row.nominal, 4),
+                           fixed(row.extended, 4)});
+  }
+  if (!table.lines.empty()) {
+    Report report;
+    report.tables = {table};
+    out << toText(report);
+  }
+  return out.str();
+}
+
+}  // namespace nao::validation

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "validation/diagnosis/verdict.h"
+#include "validation/diagnosis/whole_stage.h"
+
+namespace nao::validation {
+
+/// A finding and where it was found.
+struct PlacedFinding {
+  Finding finding;
+  std::string place;
+};
+
+/// What one level, or one limb, of a set shows.
+struct WholeVerdict {
+  Verdict verdict = Verdict::NoDiscrepancy;
+  std::vector<PlacedFinding> findings;
+  std::vector<Rejected> rejected;
+  double critical_gain = 0;  // [nats] 99 % quantile of the largest gain of null sets
+  double misfit_before = 0, misfit_after = 0;  // mean square, whitened, over that of null sets
+  double remainder = 0, remainder_critical = 0;
+  std::string signature;  // the signals that remain, the worst first
+  WholeModel model;       // numbers of task.causes
+  long runs = 0;          // simulated
+};
+
+/// The search for the causes at the limb or robot level: forward selection from looks, fits by
+/// ensembles, a threshold from null sets, held-out blocks, elimination and swap, rivals, and what
+/// remains.
+class WholeSearch {
+ public:
+  using Progress = std::function<void(const std::string&)>;
+  /// `false_alarms`: the share of sets without a cause that may name one.
+  WholeSearch(const WholeTask& task, Progress progress, double false_alarms = 0.01);
+
+  WholeVerdict run();
+
+ private:
+  struct Fit {
+    WholeModel model;
+    Eigen::VectorXd residual;  // whitened, blocks to fit
+    Eigen::MatrixXd jacobian;  // raw, stacked means by number; 0 beyond blocks to fit
+    double cost = 0;           // half its squares
+  };
+  struct Candidate {
+    std::size_t cause = 0;
+    double gain = 0;
+    Fit fit;
+  };
+
+  void enter(const Fit& fit);
+  bool step();
+  std::vector<Candidate> rank();
+  bool accept(const std::vector<Candidate>& ranking);
+  std::string objection(const Candidate& candidate, double held_out) const;
+  double heldOut(const WholeModel& model) const;
+  void review();
+  bool swapOne(std::size_t place);
+  void judge(WholeVerdict& verdict) const;
+  void describe(WholeVerdict& verdict) const;
+  PlacedFinding finding(std::size_t place, const Eigen::MatrixXd& draws) const;
+  Eigen::MatrixXd drawNumbers() const;
+  std::string signature() const;
+
+  Eigen::VectorXd simulatedResidual(const WholeModel& model, bool fit_only) const;
+  Fit fitModel(const WholeModel& start) const;
+  Eigen::MatrixXd jacobianOf(const WholeModel& model) const;
+  Fit fitFrom(const WholeLook& look, double scale) const;
+  std::vector<Rival> rivalsOf(const std::vector<Candidate>& ranking, const Candidate& best) const;
+  const PlacedCause& placed(std::size_t cause) const { return (*task_.causes)[cause]; }
+  std::string labelOf(std::size_t cause, const std::string& beside) const;
+  std::vector<FoundNumber> numbersOf(const WholeChosen& chosen) const;
+  void tell(const std::string& what) const;
+
+  WholeTask task_;
+  Progress progress_;
+  double false_alarms_;
+  std::unique_ptr<WholeStage> stage_;
+  Fit fit_;  // of the model
+  double critical_ = 0, spread_of_gain_ = 1;
+  double misfit_before_ = 0;
+  struct Accepted {
+    double gain = 0, share = 0, held_out = 0;
+    int folds = 0, folds_better = 0;
+    std::vector<Rival> rivals;
+    std::vector<WholeChosen> others;  // that were fitted beside it, for the swap
+  };
+  std::vector<Accepted> accepted_;  // in the order of the model
+  std::vector<Rejected> rejected_;
+};
+
+}  // namespace nao::validation
