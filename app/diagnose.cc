@@ -13,6 +13,7 @@
 #include "validation/diagnosis/diagnosis_json.h"
 #include "validation/diagnosis/diagnosis_page.h"
 #include "validation/diagnosis/prepared_set.h"
+#include "validation/diagnosis/whole_diagnosis.h"
 #include "validation/log/data_faults.h"
 #include "validation/plot.h"
 
@@ -21,6 +22,7 @@ namespace {
 
 struct Arguments {
   std::string set, model, out, budget, joint;
+  std::string level = "joint";
   std::string robots_dir = "robots";
   int jobs = 1;
   bool json = false;
@@ -92,8 +94,37 @@ std::string commandOf(const Arguments& arguments) {
   std::string command = "usarnaoqi diagnose " + arguments.set;
   if (!arguments.model.empty()) command += " --model " + arguments.model;
   if (!arguments.joint.empty()) command += " --joint " + arguments.joint;
+  if (arguments.level != "joint") command += " --level " + arguments.level;
   if (!arguments.budget.empty()) command += " --budget " + arguments.budget;
   return command;
+}
+
+void report(const Arguments& arguments, const std::string& json, const std::string& page,
+            const std::string& text, validation::Verdict verdict) {
+  if (!arguments.out.empty()) {
+    write(arguments.out + "/report.json", json + "\n");
+    write(arguments.out + "/report.html", page);
+  }
+  std::printf("%s", (arguments.json ? json + "\n" : text).c_str());
+  const int code = exitCodeOf(verdict);
+  if (code != 0) throw CLI::RuntimeError(code);
+}
+
+// Limb and robot level: the whole robot is replayed.
+void runWhole(const Arguments& arguments, const validation::LogSet& set,
+              const std::shared_ptr<const RobotModel>& model, const std::string& name) {
+  if (!arguments.joint.empty()) {
+    throw InputError("--joint " + arguments.joint + ": expected --level joint");
+  }
+  validation::WholeDiagnosisOptions options;
+  options.level = arguments.level == "limb" ? validation::Level::Limb : validation::Level::Robot;
+  options.jobs = arguments.jobs;
+  if (!arguments.budget.empty()) options.seconds = secondsOf(arguments.budget);
+  options.progress = [](const std::string& what) { std::fprintf(stderr, "%s\n", what.c_str()); };
+  const auto found = validation::diagnoseWhole(set, model, options);
+  const validation::Provenance provenance{set.name, name, commandOf(arguments), arguments.level};
+  const std::string page = arguments.out.empty() ? "" : wholePage(found, provenance);
+  report(arguments, toJson(found, provenance), page, toText(found), found.set.verdict);
 }
 
 void run(const Arguments& arguments) {
@@ -102,6 +133,7 @@ void run(const Arguments& arguments) {
   const auto model = loadRobotModel(findSourceFile(arguments.robots_dir), name);
   stopAtFaults(set, *model);
   if (!arguments.out.empty()) prepareFolder(arguments.out);
+  if (arguments.level != "joint") return runWhole(arguments, set, model, name);
   const validation::PreparedSet prepared = validation::prepareSet(set, model, arguments.jobs);
   if (prepared.joints.empty())
     throw InputError(arguments.set + ": no joint was measured in all runs");
@@ -117,14 +149,8 @@ void run(const Arguments& arguments) {
   const auto tasks = tasksOf(prepared, arguments.joint);
   const auto found = validation::diagnoseJoints(tasks, validation::jointCauses(), options);
   const validation::Provenance provenance{set.name, name, commandOf(arguments)};
-  const std::string json = toJson(found, provenance);
-  if (!arguments.out.empty()) {
-    write(arguments.out + "/report.json", json + "\n");
-    write(arguments.out + "/report.html", diagnosisPage(found, tasks, provenance));
-  }
-  std::printf("%s", (arguments.json ? json + "\n" : toText(found)).c_str());
-  const int code = exitCodeOf(found.verdict);
-  if (code != 0) throw CLI::RuntimeError(code);
+  const std::string page = arguments.out.empty() ? "" : diagnosisPage(found, tasks, provenance);
+  report(arguments, toJson(found, provenance), page, toText(found), found.verdict);
 }
 
 }  // namespace
@@ -134,13 +160,22 @@ void addDiagnose(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "diagnose",
       "Names what a recorded set (docs/robot_log.md) shows that the model does not, joint by\n"
-      "joint. Exit code 0: no discrepancy, 10 named, 11 ambiguous, 12 unknown or partly "
+      "joint, limb by limb or of the whole robot. Exit code 0: no discrepancy, 10 named, 11 "
+      "ambiguous, 12 unknown or partly "
       "explained,\n"
       "13 unfinished, 20 data fault.");
   command->add_option("set", arguments->set, "The set's folder.")->required();
   command->add_option("--model", arguments->model,
                       "The nominal robot; the set's own if not given.");
   command->add_option("--joint", arguments->joint, "This joint only.");
+  command
+      ->add_option(
+          "--level", arguments->level,
+          "joint: each joint alone, of a robot hung up. limb: stops that two joints share,\n"
+          "masses of a chain. robot: ground, timing, sides and joints from whole runs of a\n"
+          "robot that stands, kicks or walks.")
+      ->check(CLI::IsMember({"joint", "limb", "robot"}))
+      ->capture_default_str();
   command->add_option("--jobs", arguments->jobs, "Threads; the result is the same for any number.")
       ->check(CLI::PositiveNumber);
   command->add_option("--budget", arguments->budget, "Time to stop after, such as 5min.");

@@ -61,6 +61,7 @@ WholePool WholeData::simulate(const std::vector<EffectSetting>& causes, int per_
                               std::size_t most, bool fit_only, std::uint64_t streams, double noise,
                               int jobs) const {
   const std::vector<Order> orders = ordersFor(per_run, most, fit_only, streams);
+  used_ += static_cast<long>(orders.size());
   std::vector<Eigen::VectorXd> features(orders.size());
   std::vector<char> fell(orders.size(), 0);
   inParallel(orders.size(), jobs, [&](std::size_t i) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -30,6 +31,9 @@ class WholeData {
   std::size_t blockOf(std::size_t run) const { return block_of_[run]; }
   const Eigen::VectorXd& measured(std::size_t run) const { return measured_[run]; }
 
+  /// Runs simulated so far.
+  long used() const { return used_; }
+
   /// A vector per run of `by_run` (empty: left out), its mean by block, stacked.
   Eigen::VectorXd stackMeans(const std::vector<Eigen::VectorXd>& by_run) const;
 
@@ -48,6 +52,7 @@ class WholeData {
                                std::uint64_t streams) const;
 
   const WholeSimulator& simulator_;
+  mutable std::atomic<long> used_{0};
   std::vector<FeatureSpace> spaces_;
   std::vector<Eigen::Index> offsets_;
   std::vector<std::size_t> block_of_;  // by run

@@ -1,6 +1,7 @@
 #include "validation/diagnosis/whole_diagnosis.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <map>
 
@@ -75,12 +76,26 @@ class RobotCase {
  private:
   void search(const WholeData& data, const std::vector<PlacedCause>& causes,
               const std::string& whole, double false_alarms) {
-    const WholeTask task{&data, &causes, options_.effort, spread_.noise, options_.jobs};
+    const WholeTask task{&data,         &causes,       options_.effort,
+                         spread_.noise, options_.jobs, grantedRuns(data)};
     WholeSearch search(
         task, [&](const std::string& what) { tell(whole + ": " + what); }, false_alarms);
     const WholeVerdict found = search.run();
-    for (const EffectSetting& setting : settingsOf(causes, found.model)) found_.push_back(setting);
+    const std::vector<EffectSetting> effects = settingsOf(causes, found.model);
+    found_.insert(found_.end(), effects.begin(), effects.end());
     addVerdict(found, whole);
+    addCourse(data, effects, whole);
+    into_.set.runs += data.used();
+  }
+
+  // How many runs the time pays for, from what some cost here and now.
+  long grantedRuns(const WholeData& data) const {
+    if (options_.seconds <= 0) return kNoLimit;
+    const auto begin = std::chrono::steady_clock::now();
+    constexpr int kRuns = 3;
+    for (int i = 0; i < kRuns; ++i) simulator_.simulate({}, 0, 1u + i, spread_.noise);
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    return data.used() + std::lround(options_.seconds * options_.jobs / (taken.count() / kRuns));
   }
 
   void addVerdict(const WholeVerdict& found, const std::string& whole) {
@@ -94,6 +109,7 @@ class RobotCase {
     all.remainder_score = found.remainder;
     all.remainder_critical = found.remainder_critical;
     all.signature = found.signature;
+    all.not_tried = found.not_tried;
     const std::size_t first = into_.set.joints.size();
     into_.set.joints.push_back(all);
     for (const PlacedFinding& one : found.findings) {
@@ -130,7 +146,8 @@ class RobotCase {
                                     [](const Finding* one) { return !one->rivals.empty(); });
     joint.verdict =
         named.empty() ? Verdict::NoDiscrepancy : (rivals ? Verdict::Ambiguous : Verdict::Named);
-    if (!remains) return;
+    if (whole && !found.not_tried.empty()) joint.verdict = Verdict::Unfinished;
+    if (!remains || !found.not_tried.empty()) return;
     const bool any = std::any_of(found.findings.begin(), found.findings.end(),
                                  [](const PlacedFinding& one) { return !one.finding.small; });
     joint.verdict = any ? Verdict::PartlyExplained : Verdict::Unknown;
@@ -151,6 +168,36 @@ class RobotCase {
                               extended[name].mean()});
       }
     }
+  }
+
+  // Of the joint and the motion in which the nominal model is furthest off.
+  void addCourse(const WholeData& data, const std::vector<EffectSetting>& found,
+                 const std::string& whole) {
+    const auto means = [&](const std::vector<EffectSetting>& effects) {
+      return data.stackMeans(
+          meansOf(data.simulate(effects, 1, 1000000, false, 1, spread_.noise, options_.jobs)));
+    };
+    std::vector<Eigen::VectorXd> runs;
+    for (std::size_t run = 0; run < data.runs(); ++run) runs.push_back(data.measured(run));
+    const Eigen::VectorXd measured = data.stackMeans(runs), nominal = means({});
+    const Eigen::VectorXd extended = found.empty() ? nominal : means(found);
+    WholeDiagnosis::Course worst;
+    double most = -1;
+    for (std::size_t block = 0; block < data.spaces().size(); ++block) {
+      for (std::size_t g = 0; g < data.joints(); ++g) {
+        const FeatureGroup& group = data.spaces()[block].groups()[g];
+        const Eigen::Index at = data.offsets()[block] + group.offset;
+        const double off = (measured - nominal).segment(at, group.size).squaredNorm();
+        if (off <= most) continue;
+        most = off;
+        worst = {prefix_ + whole,
+                 group.name,
+                 {simulator_.blocks()[block].motion, group.dt, measured.segment(at, group.size),
+                  nominal.segment(at, group.size), extended.segment(at, group.size),
+                  Eigen::VectorXd::Constant(group.size, spread_.measured_sd)}};
+      }
+    }
+    into_.courses.push_back(worst);
   }
 
   static void addTo(std::map<std::string, Moments>& moments, const WholeRun& run) {

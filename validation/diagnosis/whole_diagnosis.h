@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "validation/diagnosis/diagnosis_json.h"
+#include "validation/diagnosis/diagnosis_plots.h"
 #include "validation/diagnosis/whole_search.h"
 #include "validation/diagnosis/whole_spread.h"
 
@@ -18,6 +19,8 @@ struct WholeDiagnosisOptions {
   Level level = Level::Robot;
   WholeEffort effort;
   int jobs = 1;  // threads; the result is the same for any number
+  double seconds =
+      0;  // of wall time to take, about; which runs it pays for is settled at the start; 0: all
   std::function<void(const std::string&)> progress;
 };
 
@@ -41,6 +44,11 @@ struct WholeDiagnosis {
   };
   std::vector<RobotSpread> spreads;
   std::vector<GaitRow> gait;
+  struct Course {
+    std::string place, joint;
+    JointCourse course;
+  };
+  std::vector<Course> courses;  // of the joint that is furthest off, by robot or limb
 };
 
 /// @throws InputError for a set that the model can not replay.
@@ -50,5 +58,8 @@ WholeDiagnosis diagnoseWhole(const LogSet& set, const std::shared_ptr<const Robo
 /// report.json and the text for a person: those of the joint level, and second moments and gait.
 std::string toJson(const WholeDiagnosis& diagnosis, const Provenance& provenance);
 std::string toText(const WholeDiagnosis& diagnosis);
+/// One HTML page that needs no other file: the verdict in words, what was found and what was not,
+/// second moments, and gait numbers.
+std::string wholePage(const WholeDiagnosis& diagnosis, const Provenance& provenance);
 
 }  // namespace nao::validation

@@ -81,6 +81,7 @@ void WholeSearch::enter(const Fit& fit) {
   stage_ = std::make_unique<WholeStage>(task_, fit_.model, fit_.jacobian, stage_.get());
   critical_ = quantile(stage_->nullGains(), 1 - false_alarms_);
   spread_of_gain_ = std::max(1.0, critical_ / kWhiteThreshold);
+  for (const std::size_t cause : stage_->notTried()) not_tried_.push_back(labelOf(cause, ""));
   fit_.residual = stage_->whitenFit(simulatedResidual(fit_.model, true));
   fit_.cost = fit_.residual.squaredNorm() / 2;
 }
@@ -149,6 +150,10 @@ std::vector<WholeSearch::Candidate> WholeSearch::rank() {
     }
   }
   if (!finalists.empty()) tell("fitting " + std::to_string(finalists.size()) + " causes");
+  if (task_.data->used() > task_.granted) {
+    for (const Best& one : finalists) not_tried_.push_back(labelOf(one.look->cause, ""));
+    finalists.clear();
+  }
   std::vector<Candidate> ranking(finalists.size());
   inParallel(finalists.size(), task_.jobs, [&](std::size_t i) {
     ranking[i].cause = finalists[i].look->cause;
@@ -316,6 +321,8 @@ void WholeSearch::judge(WholeVerdict& verdict) const {
 void WholeSearch::describe(WholeVerdict& verdict) const {
   verdict.rejected = rejected_;
   verdict.model = fit_.model;
+  verdict.not_tried = not_tried_;
+  if (!not_tried_.empty()) verdict.verdict = Verdict::Unfinished;
 }
 
 // What the numbers of the model would be in each null set: one Gauss-Newton step.

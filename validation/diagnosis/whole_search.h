@@ -24,9 +24,9 @@ struct WholeVerdict {
   double critical_gain = 0;  // [nats] 99 % quantile of the largest gain of null sets
   double misfit_before = 0, misfit_after = 0;  // mean square, whitened, over that of null sets
   double remainder = 0, remainder_critical = 0;
-  std::string signature;  // the signals that remain, the worst first
-  WholeModel model;       // numbers of task.causes
-  long runs = 0;          // simulated
+  std::string signature;               // the signals that remain, the worst first
+  WholeModel model;                    // numbers of task.causes
+  std::vector<std::string> not_tried;  // as the budget was spent
 };
 
 /// The search for the causes at the limb or robot level: forward selection from looks, fits by
@@ -92,6 +92,7 @@ class WholeSearch {
   };
   std::vector<Accepted> accepted_;  // in the order of the model
   std::vector<Rejected> rejected_;
+  std::vector<std::string> not_tried_;
 };
 
 }  // namespace nao::validation

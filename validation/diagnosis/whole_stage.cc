@@ -138,6 +138,16 @@ void WholeStage::lookAtAll() {
   for (std::size_t run = 0; run < base.size(); ++run) {
     if (!first[run].empty()) base[run] = first[run].front();
   }
+  // What the budget does not pay for is told, not left out in silence.
+  const long each = static_cast<long>(task_.effort.look_runs) *
+                    static_cast<long>(task_.data->simulator().blocks().size());
+  const long paid = std::max(0L, (task_.granted - task_.data->used()) / std::max(1L, each));
+  while (static_cast<long>(orders.size()) > paid) {
+    if (not_tried_.empty() || not_tried_.back() != orders.back().cause) {
+      not_tried_.push_back(orders.back().cause);
+    }
+    orders.pop_back();
+  }
   looks_.resize(orders.size());
   inParallel(orders.size(), task_.jobs,
              [&](std::size_t i) { looks_[i] = look(orders[i].cause, orders[i].x, base); });

@@ -27,6 +27,8 @@ struct WholeLook {
   double lower = 0, upper = 0;  // how far it may be scaled
 };
 
+inline constexpr long kNoLimit = 1000000000;
+
 /// How the search of one level simulates.
 struct WholeTask {
   const WholeData* data = nullptr;
@@ -34,6 +36,7 @@ struct WholeTask {
   WholeEffort effort;
   double noise = 1;  // times the torque noise of the robot's file
   int jobs = 1;
+  long granted = kNoLimit;  // simulated runs, of data
 };
 
 /// A model of a whole robot compared with its measurement: residual, a look at every cause, and
@@ -48,6 +51,7 @@ class WholeStage {
 
   const WholeModel& model() const { return model_; }
   const std::vector<WholeLook>& looks() const { return looks_; }
+  const std::vector<std::size_t>& notTried() const { return not_tried_; }  // out of budget
   const Eigen::VectorXd& raw() const { return raw_; }  // measured minus simulated means
   const Eigen::VectorXd& sd() const { return noise_.sd(); }
   const std::vector<Eigen::VectorXd>& nulls() const { return nulls_; }  // raw
@@ -81,6 +85,7 @@ class WholeStage {
   WholeNoise noise_;
   Eigen::VectorXd raw_;
   std::vector<WholeLook> looks_;
+  std::vector<std::size_t> not_tried_;
   Eigen::MatrixXd undeclared_;  // one SD of each difference between equal robots
   Whitening fit_, all_;
   Eigen::MatrixXd own_fit_, own_all_;  // orthonormal: what the model's numbers explain
