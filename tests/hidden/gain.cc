@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "tests/hidden/trial.h"
+#include "validation/diagnosis/merge_effects.h"
 #include "validation/diagnosis/replay.h"
 #include "validation/diagnosis/rig_simulator.h"
 #include "validation/suspended.h"
@@ -18,7 +19,8 @@ std::vector<EffectSetting> settingsOf(const GivenReport& report, const RobotMode
   std::vector<EffectSetting> settings;
   for (const GivenCause& cause : report.causes) {
     if (!cause.has_number || cause.effect.empty()) continue;
-    EffectSetting setting{cause.effect, {{cause.parameter, cause.value}}, {}, "report"};
+    EffectSetting setting = neutralSetting(cause.effect, sim::standardEffects());
+    setting.parameters[cause.parameter] = cause.value;
     for (const auto& [name, value] : cause.shape) setting.parameters[name] = value;
     if (!cause.joint.empty()) setting.joints = {*model.findJoint(cause.joint)};
     settings.push_back(setting);

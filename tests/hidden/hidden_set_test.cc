@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/effects/catalogue.h"
 #include "tests/hidden/preset.h"
 #include "tests/support/models.h"
 
@@ -60,6 +61,18 @@ TEST(HiddenSet, LooksAlikesAreListedBeforehandAndOthersAreNot) {
   EXPECT_TRUE(listed("sensor_delay") || listed("command_latency"));
   EXPECT_FALSE(listed("backlash"));
   EXPECT_FALSE(listed("kp_error"));
+}
+
+TEST(Hideout, HidesNothingBesideItsNumber) {
+  const auto model = test::robot("nao_h21_v33");
+  for (const Hideout& hideout : catalogueHideouts()) {
+    const EffectSetting setting = settingAt(hideout, hideout.start, *model, "LAnkleRoll");
+    for (const sim::Parameter& parameter : sim::standardEffects().find(hideout.law)->parameters) {
+      if (parameter.name == hideout.parameter || hideout.shape.count(parameter.name) > 0) continue;
+      ASSERT_EQ(setting.parameters.count(parameter.name), 1u) << hideout.cause;
+      EXPECT_EQ(setting.parameters.at(parameter.name), parameter.neutral) << hideout.cause;
+    }
+  }
 }
 
 TEST(HiddenSet, RobotsDifferUndeclared) {

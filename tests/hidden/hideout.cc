@@ -6,6 +6,7 @@
 
 #include "core/check.h"
 #include "tests/hidden/laws/laws.h"
+#include "validation/diagnosis/merge_effects.h"
 
 namespace nao::hidden {
 namespace {
@@ -223,9 +224,11 @@ std::vector<Hideout> mujocoHideouts() {
 
 EffectSetting settingAt(const Hideout& hideout, double deviation, const RobotModel& model,
                         const std::string& joint) {
-  EffectSetting setting;
-  setting.name = hideout.law;
-  setting.parameters = hideout.shape;
+  // What a law has beside the hidden number does nothing; left out it would be switched on.
+  const bool ours = hiddenEffects().find(hideout.law) != nullptr;
+  EffectSetting setting = ours ? validation::neutralSetting(hideout.law, hiddenEffects())
+                               : EffectSetting{hideout.law, {}, {}, ""};
+  for (const auto& [name, value] : hideout.shape) setting.parameters[name] = value;
   setting.parameters[hideout.parameter] =
       hideout.inverse ? 1 / std::max(1e-4, deviation) : hideout.neutral + deviation;
   if (!hideout.whole_robot) {

@@ -40,8 +40,24 @@ bool isAnyRight(const Truth& truth, const GivenCause& given) {
                      [&](const HiddenTruth& hidden) { return isRight(truth, hidden, given); });
 }
 
+bool has(const std::vector<std::string>& list, const std::string& word) {
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+// A coarse encoder is told by its counts, before anything is simulated.
+bool isCoarseEncoder(const Truth& truth, const GivenReport& report) {
+  return truth.hidden.front().cause == "encoder_quantum" && report.verdict == "data_fault" &&
+         has(report.faults, "quantum");
+}
+
 void scoreFirst(const Truth& truth, const GivenReport& report, Score& score) {
-  if (report.causes.empty() || truth.hidden.empty()) return;
+  if (truth.hidden.empty()) return;
+  if (isCoarseEncoder(truth, report)) {
+    score.exact = score.truth_in_set = true;
+    score.set_size = 1;
+    return;
+  }
+  if (report.causes.empty()) return;
   const GivenCause& first = report.causes.front();
   score.exact = isRight(truth, truth.hidden.front(), first);
   score.look_alike = isLookAlike(truth, first);
@@ -122,9 +138,7 @@ Score score(const Truth& truth, const GivenReport& report) {
   score.unknown = report.verdict == "unknown";
   score.fault_found = report.verdict == "data_fault";
   const std::string fault = faultOf(truth.spoil);
-  score.fault_named =
-      score.fault_found && !fault.empty() &&
-      std::find(report.faults.begin(), report.faults.end(), fault) != report.faults.end();
+  score.fault_named = score.fault_found && !fault.empty() && has(report.faults, fault);
   for (const GivenCause& given : report.causes) {
     const bool wrong = !isAnyRight(truth, given) && !isLookAlike(truth, given);
     score.named_wrong = score.named_wrong || (given.rivals.empty() && wrong);
