@@ -46,7 +46,8 @@ struct RigChance {
   std::uint64_t stream = 0;   // of all random numbers; they do not depend on the effects
   double torque_sd = 0;       // [N m] of an Ornstein-Uhlenbeck torque on the link
   double torque_time = 0.05;  // [s] its correlation time
-  double start = 0;           // [s] by which the orders come late
+  double start = 0;           // [s] by which the run comes late: the orders, and with them the load
+  double lead = 0;            // [s] by which the orders come before the load
 };
 
 /// What the joint reports at each row, before the orders of that row act.

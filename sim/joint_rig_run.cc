@@ -15,6 +15,14 @@ constexpr double kNear = 0.06;  // [rad] a little more than JointStops
 // which is given back.
 constexpr double kSampling = 0.1;
 
+double valueAt(const std::vector<double>& values, double place) {
+  if (place <= 0) return values.front();
+  const auto before = static_cast<std::size_t>(place);
+  if (before + 1 >= values.size()) return values.back();
+  return values[before] +
+         (place - static_cast<double>(before)) * (values[before + 1] - values[before]);
+}
+
 const WorldModel& noWorld() {
   static const WorldModel world;
   return world;
@@ -47,9 +55,9 @@ double RigTorque::next() {
   return torque;
 }
 
-void JointRigRun::Line::go(const std::vector<double>& rows, std::size_t row, double steps) {
-  now = rows[row];
-  change = (rows[row + 1] - now) / steps;
+void JointRigRun::Line::go(const std::vector<double>& values, double place, double steps) {
+  now = valueAt(values, place);
+  change = (valueAt(values, place + 1) - now) / steps;
 }
 
 BodyPlan JointRigRun::makePlan(const RobotModel& model, EffectChain& effects) {
@@ -73,7 +81,8 @@ JointRigRun::JointRigRun(const RobotModel& model, Duration step, EffectChain& ef
       upper_(plan_.model.coordinates[0].upper - kNear),
       heat_(model),
       torque_(chance, h_),
-      until_order_(static_cast<double>(model.cycle / step) + chance.start / h_),
+      until_order_(static_cast<double>(model.cycle / step) + (chance.start - chance.lead) / h_),
+      late_(chance.start * load.per_row / toSeconds(model.cycle)),
       q_(orders.angle[0] + plan_.joint_zero[0]),
       angle_(model.jointCount()),
       rate_(model.jointCount()),
@@ -124,11 +133,12 @@ JointSignals JointRigRun::all(Duration settle) {
     if (k % static_cast<std::size_t>(load_.per_row) == 0) report(signals);
     if (signals.angle.size() == rows) return signals;
     const auto n = static_cast<double>(part_steps);
-    inertia_.go(load_.inertia, k, n);
-    bias_.go(load_.torque, k, n);
-    reference_.go(load_.reference, k, n);
-    slope_.go(load_.slope, k, n);
-    for (Other& other : others_) other.line.go(*other.angle, k, n);
+    const double place = static_cast<double>(k) - late_;
+    inertia_.go(load_.inertia, place, n);
+    bias_.go(load_.torque, place, n);
+    reference_.go(load_.reference, place, n);
+    slope_.go(load_.slope, place, n);
+    for (Other& other : others_) other.line.go(*other.angle, place, n);
     steps(part_steps);
   }
 }

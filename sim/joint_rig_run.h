@@ -34,10 +34,11 @@ class JointRigRun {
   JointSignals all(Duration settle);
 
  private:
-  struct Line {  // a number that changes linearly from row to row
+  struct Line {  // a number that changes linearly from value to value
     double now = 0, change = 0;
-    void go(const std::vector<double>& rows, std::size_t row, double steps);
-    void hold(const std::vector<double>& rows) { now = rows[0], change = 0; }
+    /// On from this place among the values to the next, in so many steps.
+    void go(const std::vector<double>& values, double place, double steps);
+    void hold(const std::vector<double>& values) { now = values[0], change = 0; }
     double next() {
       const double value = now;
       now += change;
@@ -75,6 +76,7 @@ class JointRigRun {
   SimTime now_{};
   long next_order_ = 1;  // row whose orders act next
   double until_order_;   // [steps]
+  const double late_;    // [values] of the load
   double q_, u_ = 0;     // [rad], [rad/s] of the link
   JointCommand sent_, followed_;
   JointArray<double> angle_, rate_, motor_torque_, gear_torque_;

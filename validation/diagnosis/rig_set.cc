@@ -59,8 +59,8 @@ void RigSet::findJoints() {
 MeasuredMotion RigSet::meanOf(const GriddedMotion& motion) const {
   const auto rows = static_cast<Eigen::Index>(motion.rows);
   const auto joints = static_cast<Eigen::Index>(model_->jointCount());
-  MeasuredMotion mean{motion.dt, Eigen::MatrixXd::Zero(rows, joints),
-                      Eigen::VectorXd::Zero(joints)};
+  MeasuredMotion mean{motion.dt, Eigen::MatrixXd::Zero(rows, joints), Eigen::VectorXd::Zero(joints),
+                      std::vector<bool>(model_->jointCount(), false)};
   const std::string& named = motion.start_pose.empty() ? model_->start_posture : motion.start_pose;
   const Posture* posture = model_->findPosture(named);
   for (Eigen::Index j = 0; j < joints; ++j) {
@@ -73,6 +73,7 @@ MeasuredMotion RigSet::meanOf(const GriddedMotion& motion) const {
         runs.push_back(Eigen::Map<const Eigen::VectorXd>(at->second.data(), rows));
       }
     }
+    mean.assumed[static_cast<std::size_t>(j)] = runs.empty();
     if (runs.empty()) continue;
     const auto count = static_cast<double>(runs.size());
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(rows);

@@ -180,9 +180,8 @@ Eigen::MatrixXd RigSimulator::run(const std::vector<EffectSetting>& causes, std:
   chance.torque_sd = noise.torque_sd;
   if (noise.torque_time > 0) chance.torque_time = noise.torque_time;
   const double most = 0.9 * set_->options().settle;
-  const double early = (toSeconds(set_->rigStep()) - set_->options().world_step) / 2;
-  chance.start =
-      std::clamp(noise.start_sd * Random(chance.stream, "start").normal() - early, -most, most);
+  chance.lead = (toSeconds(set_->rigStep()) - set_->options().world_step) / 2;
+  chance.start = std::clamp(noise.start_sd * Random(chance.stream, "start").normal(), -most, most);
   const sim::JointSignals signals =
       rigs_[motion].run(effects, orders_[motion], *load, chance,
                         fromSeconds(set_->options().settle), set_->catalogue());

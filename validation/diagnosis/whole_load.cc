@@ -7,6 +7,7 @@
 #include "sim/hinge_run.h"
 #include "validation/diagnosis/inverse_dynamics.h"
 #include "validation/diagnosis/smooth_motion.h"
+#include "validation/diagnosis/yielding_inertia.h"
 
 namespace nao::validation {
 namespace {
@@ -19,16 +20,19 @@ std::vector<double> listOf(const VectorXd& column) {
   return {column.data(), column.data() + column.size()};
 }
 
-// Adds to the simulated motion what was measured beside it.
+// Adds to the simulated motion what was measured beside it. Joints that nobody measured move as
+// they are simulated: they did not rest while their neighbours pulled at them.
 void correct(const RobotModel& model, const MeasuredMotion& measured,
              const std::vector<double>& delays, const WholeLoadOptions& options,
              sim::HingeMotion& motion, MatrixXd& acceleration) {
   for (Index j = 0; j < measured.angle.cols(); ++j) {
     const std::vector<int>& hinges = model.actuators[static_cast<std::size_t>(j)].coordinates;
-    if (hinges.empty()) continue;
+    const auto joint = static_cast<std::size_t>(j);
+    const bool unknown = !measured.assumed.empty() && measured.assumed[joint];
+    if (hinges.empty() || unknown) continue;
     const VectorXd beside = measured.angle.col(j) - motion.reported.col(j);
-    const SmoothMotion smooth = smoothed(listOf(beside), measured.dt, options.bandwidth,
-                                         delays[static_cast<std::size_t>(j)]);
+    const SmoothMotion smooth =
+        smoothed(listOf(beside), measured.dt, options.bandwidth, delays[joint]);
     for (const int c : hinges) {
       motion.q.col(c) += spreadOut(smooth.angle, options.per_row);
       motion.u.col(c) += spreadOut(smooth.rate, options.per_row);
@@ -132,6 +136,10 @@ WholeLoad calcWholeLoad(const RobotModel& model, const std::vector<EffectSetting
     }
   }
   for (Index j = 0; j < joints; ++j) {
+    const std::vector<int>& hinges = model.actuators[static_cast<std::size_t>(j)].coordinates;
+    if (hinges.empty()) continue;
+    moveYieldToInertia(motion.dt, acceleration.col(hinges[0]), whole.torque.col(j),
+                       whole.inertia.col(j));
     whole.slope.col(j) = spreadOut(listOf(slope_rows.col(j)), options.per_row);
   }
   return whole;
