@@ -34,28 +34,6 @@ struct Arguments {
   std::vector<std::string> joints;
 };
 
-// The joints that are not to move rest as the robot starts: so does who replays the set.
-void restOthers(const RobotModel& model, const std::vector<std::string>& moving,
-                std::vector<validation::RecordedMotion>& motions) {
-  const Posture* start = model.findPosture(model.start_posture);
-  if (moving.empty() || start == nullptr) return;
-  JointArray<bool> moves(model.jointCount(), false);
-  for (const std::string& name : moving) {
-    const auto joint = model.findJoint(name);
-    if (!joint) throw InputError("--joints " + name + ": " + model.name + " has no such joint");
-    moves[*joint] = true;
-  }
-  for (validation::RecordedMotion& motion : motions) {
-    motion.angles = [all = std::move(motion.angles), rest = start->angle, moves](double t) {
-      JointArray<double> angle = all(t);
-      for (std::size_t j = 0; j < angle.size(); ++j) {
-        if (!moves[j]) angle[j] = rest[j];
-      }
-      return angle;
-    };
-  }
-}
-
 validation::LogSet recordSimulation(const Arguments& arguments, const RobotModel& model) {
   validation::RecordingPlan plan;
   plan.name = "standard set of a simulated " + model.name;
@@ -64,7 +42,9 @@ validation::LogSet recordSimulation(const Arguments& arguments, const RobotModel
     plan.extra = {{"process_noise", {{"sd", arguments.noise}}, {}, "--noise"}};
   }
   plan.motions = validation::standardRecording(plan.model);
-  restOthers(model, arguments.joints, plan.motions);
+  if (!arguments.joints.empty()) {
+    validation::moveOnly(arguments.joints, plan.model, plan.motions);
+  }
   plan.repeats = arguments.repeats;
   plan.step = fromSeconds(arguments.step);
   plan.seed = arguments.seed;

@@ -184,7 +184,7 @@ void RobotRecorder::record(LogRun& run, const daemon::QiClient::Ticket& ticket, 
 LogRun RobotRecorder::play(std::size_t motion, int repeat) {
   const auto& standard = validation::standardMotions()[motion];
   LogRun run = makeRun(standard.name, standard.split, repeat, *model_);
-  run.start_pose = "rest of the standard motions";
+  run.start_pose = validation::kStandardRestPose;
   glideToRest();
   watch(kRest);
   while (poll(run) < kBefore) {

@@ -28,28 +28,12 @@ constexpr double kPairApart = 3;      // the same of the two effects of a pair
 constexpr double kImitated = 3;       // the same of strangers: they must leave something unknown
 constexpr double kGrowth = 3;         // of a deviation in one scaling
 
-// The standard motions with all joints but these at rest in the start posture.
+// The standard motions of these joints alone.
 std::vector<RecordedMotion> motionsOf(const std::shared_ptr<const RobotModel>& model,
                                       const std::vector<std::string>& joints, double seconds) {
-  const Posture* rest = model->findPosture(model->start_posture);
-  NAO_CHECK(rest != nullptr);
-  std::vector<Joint> moving;
-  for (const std::string& name : joints) moving.push_back(*model->findJoint(name));
   std::vector<RecordedMotion> motions = validation::standardRecording(model);
-  for (RecordedMotion& motion : motions) {
-    motion.duration = seconds;
-    motion.angles = [model, moving, rest = rest->angle, whole = motion.angles](double t) {
-      const JointArray<double> all = whole(t);
-      JointArray<double> angle = rest;
-      for (const Joint joint : moving) angle[joint] = all[joint];
-      for (const CoupledLimit& limit : model->coupled_limits) {
-        if (std::find(moving.begin(), moving.end(), limit.limited) == moving.end()) continue;
-        const auto [low, high] = limit.rangeAt(angle[limit.driver]);
-        angle[limit.limited] = std::clamp(angle[limit.limited], low, high);
-      }
-      return angle;
-    };
-  }
+  for (RecordedMotion& motion : motions) motion.duration = seconds;
+  validation::moveOnly(joints, model, motions);
   return motions;
 }
 

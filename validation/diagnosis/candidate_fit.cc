@@ -1,5 +1,6 @@
 #include "validation/diagnosis/candidate_fit.h"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -115,6 +116,26 @@ ModelFit fitFully(Ensemble& ensemble, const JointData& data, const Stage& stage,
         (fit.raw - rawOf(beside)) / (beside[i] - best.x[i]);
   }
   return fit;
+}
+
+void moveNumbers(ModelFit& fit, const Eigen::VectorXd& raw, const Stage& stage,
+                 const std::vector<Cause>& causes) {
+  const Eigen::VectorXd left = stage.whitenFit(raw);
+  Eigen::MatrixXd white(left.size(), fit.jacobian.cols());
+  for (Eigen::Index i = 0; i < white.cols(); ++i) {
+    white.col(i) = stage.whitenFit(fit.jacobian.col(i));
+  }
+  const Eigen::VectorXd move = white.colPivHouseholderQr().solve(left);
+  fit.raw = raw;
+  Eigen::Index column = 0;
+  for (Chosen& one : fit.model) {
+    for (std::size_t i = 0; i < one.x.size(); ++i, ++column) {
+      const FreeNumber& number = causes[one.cause].free[i];
+      const double x = std::clamp(one.x[i] + move[column], number.lower, number.upper);
+      fit.raw -= (x - one.x[i]) * fit.jacobian.col(column);
+      one.x[i] = x;
+    }
+  }
 }
 
 std::vector<QuickFit> startsFor(const Stage& stage, const std::vector<Cause>& causes,

@@ -31,6 +31,11 @@ QuickFit fitQuickly(Ensemble& ensemble, const JointData& data, const Stage& stag
 ModelFit fitFully(Ensemble& ensemble, const JointData& data, const Stage& stage,
                   const std::vector<Cause>& causes, const CauseList& start, const Effort& effort);
 
+/// Moves the numbers of a fit by one Gauss-Newton step, as `raw`, the residual that was really left
+/// at them, and the fit's sensitivities ask for.
+void moveNumbers(ModelFit& fit, const Eigen::VectorXd& raw, const Stage& stage,
+                 const std::vector<Cause>& causes);
+
 /// The best start of every cause that could explain at least `least` nats, best first, at most
 /// `most`; two starts of one cause if they differ in sign or are nearly as good.
 std::vector<QuickFit> startsFor(const Stage& stage, const std::vector<Cause>& causes,

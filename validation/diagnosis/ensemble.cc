@@ -1,21 +1,38 @@
 #include "validation/diagnosis/ensemble.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/random.h"
 #include "validation/diagnosis/joint_data.h"
 
 namespace nao::validation {
-namespace {
-
-Eigen::MatrixXd meanRun(const JointSimulator& joint, const std::vector<EffectSetting>& causes,
-                        std::size_t motion, const JointNoise& noise, StreamUse use, int first,
-                        int runs) {
-  Eigen::MatrixXd sum = joint.run(causes, motion, streamOf(use, motion, first), noise);
-  for (int r = 1; r < runs; ++r) {
-    sum += joint.run(causes, motion, streamOf(use, motion, first + r), noise);
+Eigen::VectorXd RunPool::measuredAgain(const JointData& data, std::uint64_t seed) const {
+  Random random(seed, "measured again");
+  Eigen::VectorXd all(mean.size());
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const MotionSpan& span = data.spans()[i];
+    const Eigen::Index count = runs[i].cols(),
+                       repeats = std::min<Eigen::Index>(span.repeats, count);
+    std::vector<Eigen::Index> order(static_cast<std::size_t>(count));
+    std::iota(order.begin(), order.end(), Eigen::Index{0});
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(span.size());
+    for (Eigen::Index r = 0; r < repeats; ++r) {
+      const auto left = static_cast<double>(count - r);
+      std::swap(
+          order[static_cast<std::size_t>(r)],
+          order[static_cast<std::size_t>(r + static_cast<Eigen::Index>(random.uniform() * left))]);
+      sum += runs[i].col(order[static_cast<std::size_t>(r)]);
+    }
+    // Drawn from what the mean was made of: variance (1/R - 1/N) s^2; wanted: (1/R + 1/N) s^2.
+    const double r = static_cast<double>(repeats), n = static_cast<double>(count);
+    const double widen = std::sqrt((1 / r + 1 / n) / std::max(1 / r - 1 / n, 1 / (r * n)));
+    all.segment(span.offset, span.size()) =
+        widen * (sum / r - mean.segment(span.offset, span.size()));
   }
-  return sum / runs;
+  return all;
 }
-
-}  // namespace
 
 Ensemble::Ensemble(const JointSimulator& joint, const JointData& data, const JointNoise& noise,
                    long granted)
@@ -27,27 +44,37 @@ std::vector<EffectSetting> Ensemble::withGiven(const std::vector<EffectSetting>&
   return all;
 }
 
-Eigen::VectorXd Ensemble::mean(const std::vector<EffectSetting>& causes, int runs, StreamUse use,
-                               int first) {
+Eigen::VectorXd Ensemble::mean(const std::vector<EffectSetting>& causes, int runs) {
   const std::vector<EffectSetting> all = withGiven(causes);
+  const JointSimulator& joint = joint_.coarse();
   std::vector<Eigen::MatrixXd> means;
   for (const MotionSpan& span : data_.spans()) {
-    means.push_back(meanRun(joint_, all, span.motion, noise_, use, first, runs));
+    const std::size_t m = span.motion;
+    Eigen::MatrixXd sum = joint.run(all, m, streamOf(StreamUse::Mean, m, 0), noise_);
+    for (int r = 1; r < runs; ++r) {
+      sum += joint.run(all, m, streamOf(StreamUse::Mean, m, r), noise_);
+    }
+    means.push_back(sum / runs);
     used_ += runs;
   }
   return data_.stack(means);
 }
 
-Eigen::VectorXd Ensemble::measuredAgain(const std::vector<EffectSetting>& causes, StreamUse use,
-                                        int set) {
+RunPool Ensemble::pool(const std::vector<EffectSetting>& causes, int runs) {
   const std::vector<EffectSetting> all = withGiven(causes);
-  std::vector<Eigen::MatrixXd> means;
+  RunPool pool;
+  pool.mean.resize(data_.size());
   for (const MotionSpan& span : data_.spans()) {
-    means.push_back(
-        meanRun(joint_, all, span.motion, noise_, use, set * span.repeats, span.repeats));
-    used_ += span.repeats;
+    const std::size_t m = span.motion;
+    Eigen::MatrixXd columns(span.size(), runs);
+    for (int r = 0; r < runs; ++r) {
+      columns.col(r) = joint_.run(all, m, streamOf(StreamUse::Pool, m, r), noise_).reshaped();
+    }
+    pool.mean.segment(span.offset, span.size()) = columns.rowwise().mean();
+    pool.runs.push_back(std::move(columns));
+    used_ += runs;
   }
-  return data_.stack(means);
+  return pool;
 }
 
 }  // namespace nao::validation

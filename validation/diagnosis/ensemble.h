@@ -13,7 +13,18 @@ namespace nao::validation {
 class JointData;
 
 /// What a run's random numbers are for: streams of different use never meet.
-enum class StreamUse : std::uint64_t { Mean = 1, Null = 2, Interval = 3, Spread = 4, Noise = 5 };
+enum class StreamUse : std::uint64_t { Mean = 1, Pool = 2, Spread = 4, Noise = 5 };
+
+/// Many runs of every motion with one model, all alike but for their noise.
+struct RunPool {
+  std::vector<Eigen::MatrixXd> runs;  // by span; a column per run, signal by signal, row by row
+  Eigen::VectorXd mean;               // stacked as JointData
+
+  /// What a set measured again would differ from `mean`, were the mean's runs others: the mean of
+  /// as many different runs of each span as it has repeats, drawn by `seed`, widened by what the
+  /// mean itself is uncertain.
+  Eigen::VectorXd measuredAgain(const JointData& data, std::uint64_t seed) const;
+};
 
 /// The stream of one repeat of one motion: the same for every list of causes.
 constexpr std::uint64_t streamOf(StreamUse use, std::size_t motion, int repeat) {
@@ -21,21 +32,20 @@ constexpr std::uint64_t streamOf(StreamUse use, std::size_t motion, int repeat) 
          static_cast<std::uint64_t>(repeat);
 }
 
-/// Predicts the mean of a joint's noisy runs, stacked as its JointData, and counts the runs.
-/// One thread.
+/// Predicts the mean of a joint's noisy runs, stacked as its JointData, and counts the runs. What
+/// is compared with the measurement comes from a pool; what causes change, from coarse() means. One
+/// thread.
 class Ensemble {
  public:
   /// `granted`: how many runs may be simulated in all.
   Ensemble(const JointSimulator& joint, const JointData& data, const JointNoise& noise,
            long granted);
 
-  /// Mean of `runs` runs per motion, starting with repeat `first` of the streams of `use`.
-  Eigen::VectorXd mean(const std::vector<EffectSetting>& causes, int runs,
-                       StreamUse use = StreamUse::Mean, int first = 0);
-
-  /// Means of as many runs as the measured mean has, of streams never used before: what a set
-  /// measured again would show.
-  Eigen::VectorXd measuredAgain(const std::vector<EffectSetting>& causes, StreamUse use, int set);
+  /// Mean of `runs` runs per motion in coarse steps, to subtract from another of as many: the same
+  /// random numbers for every list of causes.
+  Eigen::VectorXd mean(const std::vector<EffectSetting>& causes, int runs);
+  /// `runs` runs per motion in fine steps.
+  RunPool pool(const std::vector<EffectSetting>& causes, int runs);
 
   /// Causes that every model has from now on, such as what all joints share.
   void setGiven(std::vector<EffectSetting> given) { given_ = std::move(given); }

@@ -85,6 +85,16 @@ void JointSearch::enter(std::unique_ptr<Stage> stage) {
   for (double& remainder : nulls_.remainders) remainder = (remainder - mean) / sd;
 }
 
+// Fits are made of coarse steps: one Gauss-Newton step with the fine ones corrects their numbers.
+void JointSearch::enterModel(const ModelFit& fit) {
+  fit_ = fit;
+  if (!fit_.model.empty()) {
+    const RunPool pool = ensemble_.pool(settingsOf(causes_, fit_.model), effort_.base_runs);
+    moveNumbers(fit_, data_.mean() - pool.mean, *stage_, causes_);
+  }
+  enter(stageOf(fit_.model, fit_.jacobian));
+}
+
 double JointSearch::splitRatio() {
   const std::vector<Eigen::VectorXd> splits = data_.splits();
   double sum = 0, null_sum = 0;
@@ -205,8 +215,7 @@ bool JointSearch::accept(const std::vector<Candidate>& ranking) {
                     validation,      isSmall(candidate), {}};
     accepted_.push_back(chosen);
     setRivals(accepted_.size() - 1, ranking);
-    fit_ = candidate.fit;
-    enter(stageOf(fit_.model, fit_.jacobian));
+    enterModel(candidate.fit);
     return true;
   }
   return false;
@@ -268,8 +277,7 @@ bool JointSearch::reviewOne(std::size_t place) {
   const double best_gain = ranking.empty() ? 0 : ranking.front().gain;
   if (std::max(own_gain, best_gain) <= critical()) {
     drop(place, own_gain, "no longer needed beside the others");
-    fit_ = fitFully(ensemble_, data_, *without, causes_, rest, effort_);
-    enter(stageOf(fit_.model, fit_.jacobian));
+    enterModel(fitFully(ensemble_, data_, *without, causes_, rest, effort_));
     return true;
   }
   if (best_gain > own_gain + std::max(2.0, kSwap * own_gain)) {
@@ -301,8 +309,7 @@ void JointSearch::swap(std::size_t place, double gain, const Stage& without, con
   drop(place, gain, "explained better by " + causes_[best.cause].id);
   accepted_.push_back(swapped);
   setRivals(accepted_.size() - 1, ranking);
-  fit_ = best.fit;
-  enter(stageOf(fit_.model, fit_.jacobian));
+  enterModel(best.fit);
 }
 
 JointVerdict JointSearch::conclude(const NullRecord& others) {

@@ -57,6 +57,7 @@ class JointSearch {
 
   std::unique_ptr<Stage> stageOf(const CauseList& model, const Eigen::MatrixXd& jacobian);
   void enter(std::unique_ptr<Stage> stage);
+  void enterModel(const ModelFit& fit);
   double critical() const;
   std::vector<Candidate> rank(const Stage& stage);
   void fitFinalists(const Stage& stage, std::vector<Candidate>& ranking);

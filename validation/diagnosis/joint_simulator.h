@@ -46,6 +46,10 @@ class JointSimulator {
   virtual Eigen::MatrixXd run(const std::vector<EffectSetting>& causes, std::size_t motion,
                               std::uint64_t stream, const JointNoise& noise) const = 0;
 
+  /// The same joint in longer steps, several times cheaper: for what causes change, where the error
+  /// of a step falls out.
+  virtual const JointSimulator& coarse() const { return *this; }
+
   /// How far from neutral the model's own effect of that name already is at this joint.
   virtual double present(const std::string& /*effect*/, const std::string& /*parameter*/) const {
     return 0;

@@ -25,7 +25,7 @@ struct MeasuredMotion {
   double dt = 0;  // [s]
   Eigen::MatrixXd angle;
   Eigen::VectorXd angle_sd;   // [rad] of each joint's samples, for LoadTorque::sd; empty: 0
-  std::vector<bool> assumed;  // joints that were not measured, said to rest; empty: none
+  std::vector<bool> assumed{};  // joints that were not measured, said to rest; empty: none
 };
 
 /// The load of `joint` while all joints move as measured, by inverse dynamics of the robot with

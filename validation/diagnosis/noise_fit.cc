@@ -5,6 +5,7 @@
 
 #include "core/check.h"
 #include "validation/diagnosis/ensemble.h"
+#include "validation/diagnosis/repeats.h"
 
 namespace nao::validation {
 namespace {
@@ -30,16 +31,6 @@ VectorXd meanOf(const JointMotion& motion) {
   return mean / static_cast<double>(motion.repeats.size());
 }
 
-// Central differences over a few rows, so that counts of the encoder do not matter.
-VectorXd rateOf(const VectorXd& angle, double dt) {
-  constexpr Index kReach = 3;
-  VectorXd rate = VectorXd::Zero(angle.size());
-  for (Index k = kReach; k + kReach < angle.size(); ++k) {
-    rate[k] = (angle[k + kReach] - angle[k - kReach]) / (2 * kReach * dt);
-  }
-  return rate;
-}
-
 // Sums over runs, each of which knows its own start from where the joint moves.
 struct Sums {
   double squares = 0, samples = 0;
@@ -49,18 +40,15 @@ struct Sums {
 
   void add(const JointMotion& motion) {
     const VectorXd mean = meanOf(motion), rate = rateOf(mean, motion.dt);
-    const double moved = rate.squaredNorm();
     const auto repeats = static_cast<double>(motion.repeats.size());
     const double unbiased = repeats / (repeats - 1);
     for (const MatrixXd& run : motion.repeats) {
       VectorXd deviation = run.col(0) - mean;
       squares += unbiased * deviation.squaredNorm();
       samples += static_cast<double>(deviation.size());
-      if (moved > 0) {
-        const double late = -deviation.dot(rate) / moved;
-        starts += unbiased * late * late;
-        deviation += late * rate;
-      }
+      const double late = latenessOf(deviation, rate);
+      starts += unbiased * late * late;
+      deviation += late * rate;
       runs += 1;
       for (Index lag = 0; lag <= kLags && lag < deviation.size(); ++lag) {
         const Index n = deviation.size() - lag;

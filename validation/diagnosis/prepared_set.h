@@ -21,9 +21,8 @@ struct PreparedSet {
   std::vector<PreparedJoint> joints;  // that were commanded and measured
 };
 
-/// Puts all joints of a set on rigs and fits their noise to the repeats; where that is far from the
-/// robot's file, the loads are calculated again with it. `jobs`: threads; the result is the same
-/// for any number. @throws InputError as RigSet does.
+/// Puts all joints of a set on rigs and fits their noise to the repeats. `jobs`: threads; the
+/// result is the same for any number. @throws InputError as RigSet does.
 PreparedSet prepareSet(const LogSet& set, std::shared_ptr<const RobotModel> model, int jobs,
                        RigOptions options = {});
 

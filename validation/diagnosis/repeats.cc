@@ -51,6 +51,19 @@ double inflationOf(const std::vector<Eigen::VectorXd>& deviations) {
   return sum;
 }
 
+// Deviations of every run, all signals of a row of runs shifted by what its angle came late.
+std::vector<Eigen::MatrixXd> deviationsOf(const std::vector<Eigen::MatrixXd>& runs,
+                                          const Eigen::MatrixXd& mean, double dt) {
+  Eigen::MatrixXd rate(mean.rows(), mean.cols());
+  for (Eigen::Index s = 0; s < mean.cols(); ++s) rate.col(s) = rateOf(mean.col(s), dt);
+  std::vector<Eigen::MatrixXd> deviations;
+  for (const Eigen::MatrixXd& run : runs) {
+    deviations.push_back(run - mean);
+    deviations.back() += latenessOf(deviations.back().col(0), rate.col(0)) * rate;
+  }
+  return deviations;
+}
+
 RepeatStatistics spreadOf(const std::vector<Eigen::MatrixXd>& runs, double dt) {
   RepeatStatistics found;
   found.mean = meanOf(runs);
@@ -58,11 +71,12 @@ RepeatStatistics spreadOf(const std::vector<Eigen::MatrixXd>& runs, double dt) {
   found.inflation = Eigen::VectorXd::Ones(found.mean.cols());
   found.repeats = static_cast<int>(runs.size());
   const auto half = static_cast<Eigen::Index>(std::lround(kWindow / 2 / dt));
+  const std::vector<Eigen::MatrixXd> all = deviationsOf(runs, found.mean, dt);
   for (Eigen::Index s = 0; s < found.mean.cols() && runs.size() > 1; ++s) {
     Eigen::VectorXd variance = Eigen::VectorXd::Zero(found.mean.rows());
     std::vector<Eigen::VectorXd> deviations;
-    for (const Eigen::MatrixXd& run : runs) {
-      deviations.push_back(run.col(s) - found.mean.col(s));
+    for (const Eigen::MatrixXd& run : all) {
+      deviations.push_back(run.col(s));
       variance += deviations.back().cwiseAbs2();
     }
     variance = smooth(variance / static_cast<double>(runs.size() - 1), half);
@@ -75,6 +89,20 @@ RepeatStatistics spreadOf(const std::vector<Eigen::MatrixXd>& runs, double dt) {
 }
 
 }  // namespace
+
+Eigen::VectorXd rateOf(const Eigen::VectorXd& angle, double dt) {
+  constexpr Eigen::Index kReach = 3;
+  Eigen::VectorXd rate = Eigen::VectorXd::Zero(angle.size());
+  for (Eigen::Index k = kReach; k + kReach < angle.size(); ++k) {
+    rate[k] = (angle[k + kReach] - angle[k - kReach]) / (2 * kReach * dt);
+  }
+  return rate;
+}
+
+double latenessOf(const Eigen::VectorXd& deviation, const Eigen::VectorXd& rate) {
+  const double moved = rate.squaredNorm();
+  return moved > 0 ? -deviation.dot(rate) / moved : 0;
+}
 
 RepeatStatistics statisticsOf(const JointMotion& motion) {
   NAO_CHECK(!motion.repeats.empty());

@@ -6,10 +6,17 @@
 
 namespace nao::validation {
 
+/// Rate of change of an angle [rad/s] by central differences over a few rows, so that counts of an
+/// encoder do not matter; 0 at the ends.
+Eigen::VectorXd rateOf(const Eigen::VectorXd& angle, double dt);
+/// By how much a run came late [s], as its deviation from the mean shows where the mean moves.
+double latenessOf(const Eigen::VectorXd& deviation, const Eigen::VectorXd& rate);
+
 /// What the repeats of one motion say: their mean, and how well it is known. Columns are signals.
 struct RepeatStatistics {
   Eigen::MatrixXd mean;
-  /// SD of one run at every sample, smoothed over 0.2 s, as few repeats do not know it better.
+  /// SD of one run at every sample, smoothed over 0.2 s, as few repeats do not know it better. What
+  /// runs differ by as they come late is taken off: that is a number of its own in every fit.
   Eigen::MatrixXd sd;
   /// Samples per independent one, by signal: 1 + 2 sum of the deviations' autocorrelation.
   Eigen::VectorXd inflation;

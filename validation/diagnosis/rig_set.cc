@@ -5,6 +5,7 @@
 #include "validation/diagnosis/merge_effects.h"
 #include "validation/diagnosis/rig_simulator.h"
 #include "validation/diagnosis/shared_cause.h"
+#include "validation/log/standard_motions.h"
 #include "validation/suspended.h"
 
 namespace nao::validation {
@@ -40,6 +41,10 @@ void RigSet::choosePace(double dt) {
   const Duration tick = fromSeconds(value / (world * rig));
   world_step_ = tick * std::lround(rig);
   rig_step_ = tick * std::lround(world);
+  const long ticks = std::lround(world * rig);
+  long coarse = std::lround(parts(value, options_.coarse_step));
+  while (ticks % coarse != 0) ++coarse;
+  coarse_step_ = tick * (ticks / coarse);
   model_->cycle = per_row_ * std::lround(world) * world_step_;
 }
 
@@ -56,16 +61,23 @@ void RigSet::findJoints() {
   }
 }
 
+// Where joints rest that were neither moved nor written.
+JointArray<double> RigSet::poseOf(const GriddedMotion& motion) const {
+  if (motion.start_pose == kStandardRestPose) return standardRest(*model_);
+  const bool named = !motion.start_pose.empty();
+  const Posture* posture = model_->findPosture(named ? motion.start_pose : model_->start_posture);
+  return posture != nullptr ? posture->angle : JointArray<double>(model_->jointCount(), 0.0);
+}
+
 MeasuredMotion RigSet::meanOf(const GriddedMotion& motion) const {
   const auto rows = static_cast<Eigen::Index>(motion.rows);
   const auto joints = static_cast<Eigen::Index>(model_->jointCount());
   MeasuredMotion mean{motion.dt, Eigen::MatrixXd::Zero(rows, joints), Eigen::VectorXd::Zero(joints),
                       std::vector<bool>(model_->jointCount(), false)};
-  const std::string& named = motion.start_pose.empty() ? model_->start_posture : motion.start_pose;
-  const Posture* posture = model_->findPosture(named);
+  const JointArray<double> pose = poseOf(motion);
   for (Eigen::Index j = 0; j < joints; ++j) {
     const Joint joint = toJoint(static_cast<std::size_t>(j));
-    if (posture != nullptr) mean.angle.col(j).setConstant(posture->angle[joint]);
+    mean.angle.col(j).setConstant(pose[joint]);
     std::vector<Eigen::VectorXd> runs;
     for (const GriddedMotion::Run& run : motion.runs) {
       const auto at = run.angle.find(joint);
@@ -111,8 +123,6 @@ WholeLoad RigSet::loadOf(std::size_t motion) const {
   options.step = world_step_;
   options.per_row = per_row_;
   options.bandwidth = options_.bandwidth;
-  options.noise = options_.noise;
-  options.runs = options_.noise.empty() ? 1 : options_.whole_runs;
   return calcWholeLoad(model, effectsWith({}, played), orders, measured_[motion], options,
                        catalogue());
 }

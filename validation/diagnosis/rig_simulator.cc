@@ -136,13 +136,33 @@ class RigSimulator::Loads {
 };
 
 RigSimulator::RigSimulator(std::shared_ptr<const RigSet> set, Joint joint)
-    : set_(std::move(set)), joint_(joint), loads_(std::make_unique<Loads>(*set_, joint)) {
+    : set_(std::move(set)),
+      joint_(joint),
+      step_(set_->rigStep()),
+      loads_(std::make_shared<Loads>(*set_, joint)) {
   for (const GriddedMotion& motion : set_->motions()) {
     measured_.push_back(measuredOf(motion));
-    rigs_.emplace_back(withGain(set_->model(), joint, motion.kp_scale), joint, set_->row(),
-                       set_->rigStep(), loads_->others());
     orders_.push_back({motion.runs.front().command.at(joint),
                        meanOf(motion, &GriddedMotion::Run::stiffness, joint)});
+  }
+  addRigs();
+  if (set_->coarseStep() > step_) coarse_.reset(new RigSimulator(*this, set_->coarseStep()));
+}
+
+RigSimulator::RigSimulator(const RigSimulator& fine, Duration step)
+    : set_(fine.set_),
+      joint_(fine.joint_),
+      step_(step),
+      measured_(fine.measured_),
+      orders_(fine.orders_),
+      loads_(fine.loads_) {
+  addRigs();
+}
+
+void RigSimulator::addRigs() {
+  for (const GriddedMotion& motion : set_->motions()) {
+    rigs_.emplace_back(withGain(set_->model(), joint_, motion.kp_scale), joint_, set_->row(), step_,
+                       loads_->others());
   }
 }
 
@@ -180,7 +200,7 @@ Eigen::MatrixXd RigSimulator::run(const std::vector<EffectSetting>& causes, std:
   chance.torque_sd = noise.torque_sd;
   if (noise.torque_time > 0) chance.torque_time = noise.torque_time;
   const double most = 0.9 * set_->options().settle;
-  chance.lead = (toSeconds(set_->rigStep()) - set_->options().world_step) / 2;
+  chance.lead = (toSeconds(step_) - set_->options().world_step) / 2;
   chance.start = std::clamp(noise.start_sd * Random(chance.stream, "start").normal(), -most, most);
   const sim::JointSignals signals =
       rigs_[motion].run(effects, orders_[motion], *load, chance,

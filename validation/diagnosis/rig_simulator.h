@@ -12,15 +12,13 @@ namespace nao::validation {
 
 /// How joints are simulated alone.
 struct RigOptions {
-  double step = 2.5e-4;  // [s] at most, of a rig: a run of 6 s then costs 1.5 ms of processor
+  double step = 2.5e-4;       // [s] at most, of a rig: a run of 6 s then costs 1.5 ms of processor
+  double coarse_step = 1e-3;  // [s] at most, of JointSimulator::coarse()
   /// [s] of the Worlds whose motions the rigs are compared with. Their implicit steps answer an
   /// order half a step late; a rig's orders come earlier by half of what its own step is longer.
   double world_step = 2.5e-4;
   double settle = 0.5;  // [s] of rest in the first pose before a run
   double bandwidth = kLoadBandwidth;
-  /// The noise of all joints and the number of runs of the whole robot that their loads come from.
-  std::vector<EffectSetting> noise;
-  int whole_runs = 8;
   int jobs = 1;  // threads that calculate loads; the result is the same
   const sim::EffectCatalogue* catalogue = nullptr;  // null: standardEffects()
 };
@@ -50,17 +48,19 @@ class RigSet {
   /// The time between rows, of whole rig steps, whole World steps and whole values of the loads.
   Duration row() const { return model_->cycle; }
   Duration rigStep() const { return rig_step_; }
+  Duration coarseStep() const { return coarse_step_; }
 
  private:
   void choosePace(double dt);
   void findJoints();
+  JointArray<double> poseOf(const GriddedMotion& motion) const;
   MeasuredMotion meanOf(const GriddedMotion& motion) const;
   WholeLoad loadOf(std::size_t motion) const;
 
   std::shared_ptr<RobotModel> model_;  // its cycle is a row
   RigOptions options_;
   int per_row_ = 1;
-  Duration world_step_{}, rig_step_{};
+  Duration world_step_{}, rig_step_{}, coarse_step_{};
   std::vector<GriddedMotion> motions_;
   std::vector<MeasuredMotion> measured_;
   std::vector<WholeLoad> loads_;
@@ -79,17 +79,22 @@ class RigSimulator final : public JointSimulator {
   Eigen::MatrixXd run(const std::vector<EffectSetting>& causes, std::size_t motion,
                       std::uint64_t stream, const JointNoise& noise) const override;
   double present(const std::string& effect, const std::string& parameter) const override;
+  const JointSimulator& coarse() const override { return coarse_ ? *coarse_ : *this; }
 
  private:
   class Loads;
+  RigSimulator(const RigSimulator& fine, Duration step);
+  void addRigs();
   JointMotion measuredOf(const GriddedMotion& motion) const;
 
   std::shared_ptr<const RigSet> set_;
   Joint joint_;
+  Duration step_;
   std::vector<JointMotion> measured_;
   std::vector<sim::JointRig> rigs_;       // by motion
   std::vector<sim::JointOrders> orders_;  // by motion
-  std::unique_ptr<Loads> loads_;
+  std::shared_ptr<Loads> loads_;          // of both paces
+  std::unique_ptr<RigSimulator> coarse_;
 };
 
 }  // namespace nao::validation

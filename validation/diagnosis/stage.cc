@@ -59,9 +59,9 @@ Stage::Stage(Ensemble& ensemble, const JointData& data, const std::vector<Cause>
       jacobian_(jacobian),
       effort_(effort) {
   const auto settings = settingsOf(causes, model_);
-  base_ = ensemble.mean(settings, effort.base_runs);
+  pool_ = ensemble.pool(settings, effort.base_runs);
   look_base_ = ensemble.mean(settings, effort.look_runs);
-  raw_ = data.mean() - base_;
+  raw_ = data.mean() - pool_.mean;
   look(ensemble, effort);
   const Eigen::MatrixXd disturbances = directions(effort, ensemble.noise().start_sd);
   // The prediction is a mean too: of base_runs where the measurement has its repeats.
@@ -120,7 +120,7 @@ Eigen::MatrixXd Stage::directions(const Effort& effort, double start_sd) {
     for (Eigen::Index s = 0; s < span.signals; ++s) {
       const Eigen::Index at = span.offset + s * span.rows;
       for (Eigen::Index i = 1; i + 1 < span.rows; ++i) {
-        late[at + i] = sd * (base_[at + i + 1] - base_[at + i - 1]) / (2 * span.dt);
+        late[at + i] = sd * (pool_.mean[at + i + 1] - pool_.mean[at + i - 1]) / (2 * span.dt);
       }
     }
     columns.push_back(late);
@@ -148,10 +148,10 @@ Eigen::MatrixXd Stage::directions(const Effort& effort, double start_sd) {
 }
 
 void Stage::simulateNulls(const std::string& joint) {
-  const auto settings = settingsOf(causes_, model_);
   for (int set = 0; set < effort_.null_sets; ++set) {
-    Random random(static_cast<std::uint64_t>(set) + 1, "undeclared." + joint);
-    Eigen::VectorXd residual = ensemble_.measuredAgain(settings, StreamUse::Null, set) - base_;
+    const std::uint64_t seed = static_cast<std::uint64_t>(set) + 1;
+    Random random(seed, "undeclared." + joint);
+    Eigen::VectorXd residual = pool_.measuredAgain(data_, seed);
     for (Eigen::Index i = 0; i < undeclared_.cols(); ++i) {
       residual += undeclared_.col(i) * random.uniform(-std::sqrt(3.0), std::sqrt(3.0));
     }

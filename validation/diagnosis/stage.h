@@ -16,8 +16,8 @@ namespace nao::validation {
 struct Effort {
   int look_runs = 8;    // per motion, of a candidate's looks and first fit
   int final_runs = 32;  // of the fits of finalists
-  int base_runs = 64;   // of the model that the measurement is compared with
-  int null_sets = 200;
+  int base_runs = 96;   // of the model that the measurement is compared with
+  int null_sets = 200;  // drawn from those
   int survivors = 8;    // candidates that are fitted at all
   int finalists = 4;    // that are fitted with final_runs
   int most_causes = 4;  // named for one joint
@@ -51,7 +51,8 @@ class Stage {
         CauseList model, const Eigen::MatrixXd& jacobian, const Effort& effort,
         const std::vector<std::size_t>& given = {});
 
-  /// Residuals of data sets measured again at this model, undeclared differences included.
+  /// Residuals of data sets measured again at this model, undeclared differences included; drawn
+  /// from the runs that the model's own mean is made of.
   void simulateNulls(const std::string& joint);
 
   const CauseList& model() const { return model_; }
@@ -90,7 +91,8 @@ class Stage {
   std::vector<std::size_t> given_;
   Eigen::MatrixXd jacobian_;
   Effort effort_;
-  Eigen::VectorXd base_, look_base_, raw_;
+  RunPool pool_;
+  Eigen::VectorXd look_base_, raw_;
   std::vector<Look> looks_;
   Eigen::MatrixXd undeclared_;  // one SD of each difference between equal robots
   Whitening fit_, all_;

@@ -41,30 +41,6 @@ void correct(const RobotModel& model, const MeasuredMotion& measured,
   }
 }
 
-sim::HingeMotion meanMotion(const RobotModel& model, std::vector<EffectSetting> effects,
-                            const std::vector<JointCommand>& orders,
-                            const WholeLoadOptions& options,
-                            const sim::EffectCatalogue& catalogue) {
-  effects.insert(effects.end(), options.noise.begin(), options.noise.end());
-  sim::HingeMotion mean;
-  for (int run = 1; run <= options.runs; ++run) {
-    const sim::HingeMotion one =
-        sim::runHinges(model, effects, orders, options.settle, options.step, options.per_row,
-                       static_cast<std::uint64_t>(run), catalogue);
-    if (run == 1) {
-      mean = one;
-      continue;
-    }
-    mean.q += one.q;
-    mean.u += one.u;
-    mean.reported += one.reported;
-  }
-  mean.q /= options.runs;
-  mean.u /= options.runs;
-  mean.reported /= options.runs;
-  return mean;
-}
-
 MatrixXd accelerationsOf(const sim::HingeMotion& motion) {
   MatrixXd acceleration = MatrixXd::Zero(motion.u.rows(), motion.u.cols());
   for (Index i = 1; i + 1 < motion.u.rows(); ++i) {
@@ -106,7 +82,8 @@ std::vector<double> WholeLoad::angleOf(Joint joint) const {
 WholeLoad calcWholeLoad(const RobotModel& model, const std::vector<EffectSetting>& effects,
                         const std::vector<JointCommand>& orders, const MeasuredMotion& measured,
                         const WholeLoadOptions& options, const sim::EffectCatalogue& catalogue) {
-  sim::HingeMotion motion = meanMotion(model, effects, orders, options, catalogue);
+  sim::HingeMotion motion = sim::runHinges(model, effects, orders, options.settle, options.step,
+                                           options.per_row, 1, catalogue);
   MatrixXd acceleration = accelerationsOf(motion);
   correct(model, measured, reportDelays(model, effects, catalogue), options, motion, acceleration);
   const sim::BodyPlan plan = planOf(model, effects, catalogue);

@@ -27,10 +27,6 @@ struct WholeLoadOptions {
   Duration step = std::chrono::microseconds(250);
   int per_row = 10;  // 1 ms for a Nao's cycle: orders come in stairs, which shake the neighbours
   double bandwidth = kLoadBandwidth;
-  /// The motion is the mean of this many runs under `noise`: play in the gears of the neighbours is
-  /// not where it would be without.
-  int runs = 1;
-  std::vector<EffectSetting> noise;
 };
 
 /// `values`, one per row, on `per_row` values per row, linear between.

@@ -28,7 +28,7 @@ class Recorder {
     run.repeat = repeat;
     run.robot_id = robot_->name;
     run.split = motion.split;
-    run.start_pose = robot_->start_posture;
+    run.start_pose = motion.start_pose.empty() ? robot_->start_posture : motion.start_pose;
     sim::World world = makeWorld(random);
     world.placeRobot(0, {}, &orders_.front());
     play(plan_.start_sd * random.normal(), world, run);
@@ -129,9 +129,35 @@ std::vector<RecordedMotion> standardRecording(const std::shared_ptr<const RobotM
   for (std::size_t m = 0; m < standardMotions().size(); ++m) {
     const StandardMotion& standard = standardMotions()[m];
     motions.push_back({standard.name, standard.split, kStandardMotionTime,
-                       [model, m](double t) { return standardAngles(*model, m, t); }});
+                       [model, m](double t) { return standardAngles(*model, m, t); },
+                       kStandardRestPose});
   }
   return motions;
+}
+
+void moveOnly(const std::vector<std::string>& joints,
+              const std::shared_ptr<const RobotModel>& model,
+              std::vector<RecordedMotion>& motions) {
+  std::vector<Joint> moving;
+  for (const std::string& name : joints) {
+    const auto joint = model->findJoint(name);
+    if (!joint) throw InputError(model->name + " has no joint " + name);
+    moving.push_back(*joint);
+  }
+  for (RecordedMotion& motion : motions) {
+    motion.angles = [model, moving, all = std::move(motion.angles)](double t) {
+      const JointArray<double> wanted = all(t);
+      JointArray<double> angle = standardRest(*model);
+      for (const Joint joint : moving) angle[joint] = wanted[joint];
+      for (const CoupledLimit& limit : model->coupled_limits) {
+        if (std::find(moving.begin(), moving.end(), limit.limited) == moving.end()) continue;
+        const auto [low, high] = limit.rangeAt(angle[limit.driver]);
+        angle[limit.limited] = std::clamp(angle[limit.limited], low, high);
+      }
+      return angle;
+    };
+    motion.start_pose = kStandardRestPose;
+  }
 }
 
 LogSet recordSimulated(const RecordingPlan& plan) {

@@ -18,6 +18,7 @@ struct RecordedMotion {
   Split split = Split::Fit;
   double duration = 6;  // [s]
   std::function<JointArray<double>(double t)> angles;
+  std::string start_pose{};  // for the file; empty: the robot's start posture
 };
 
 /// How a set is recorded from a simulated robot.
@@ -40,6 +41,12 @@ struct RecordingPlan {
 
 /// The standard motions of `record --protocol standard` for this robot.
 std::vector<RecordedMotion> standardRecording(const std::shared_ptr<const RobotModel>& model);
+
+/// Lets only these joints move; the others rest in the pose in which the standard motions begin, as
+/// there nothing touches. A joint that another limits stays where that one's rest allows it.
+/// @throws InputError for a joint that the robot does not have.
+void moveOnly(const std::vector<std::string>& joints,
+              const std::shared_ptr<const RobotModel>& model, std::vector<RecordedMotion>& motions);
 
 /// Plays every motion `repeats` times on a World of this robot alone and writes down what its
 /// sensors report each cycle: at each row's time the frame is read first, then the command of that

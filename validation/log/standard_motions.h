@@ -35,7 +35,8 @@ const std::vector<StandardMotion>& standardMotions();
 /// .cc) does not name moves in the middle half of its range.
 JointArray<double> standardAngles(const RobotModel& model, std::size_t motion, double t);
 
-/// The pose in which every motion begins and ends.
+/// The pose in which every motion begins and ends, and what a run's `start_pose` says of it.
+inline constexpr const char* kStandardRestPose = "rest of the standard motions";
 JointArray<double> standardRest(const RobotModel& model);
 
 }  // namespace nao::validation

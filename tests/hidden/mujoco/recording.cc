@@ -78,7 +78,7 @@ class Reality {
     run.repeat = repeat;
     run.robot_id = plan_.model->name;
     run.split = motion.split;
-    run.start_pose = plan_.model->start_posture;
+    run.start_pose = motion.start_pose.empty() ? plan_.model->start_posture : motion.start_pose;
     Random random(plan_.seed, "mujoco/" + name);
     const double late = plan_.start_sd * random.normal();
     reset(motion.angles(0), random);
