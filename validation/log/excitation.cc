@@ -114,7 +114,9 @@ double varied(const Pace& pace, double t) {
   const double since = std::fmod(t, kThird);
   const double envelope = calcEnvelope(since, kThird);
   if (t < kThird) {
-    return envelope * trapezoid(t / pace.choose(1.5, 2.2, 12) + pace.choose(0, 1, 13));
+    const double period = pace.choose(1.5, 2.2, 12), slope = 8 / period;
+    const double part = std::min(1.0, kSineSpeed * pace.max_speed / (slope * pace.half_range));
+    return envelope * part * trapezoid(t / period + pace.choose(0, 1, 13));
   }
   if (t < 2 * kThird) {
     return envelope * (sine(pace, pace.choose(0.5, 0.9, 14), 0.6, pace.choose(0, 1, 15), t) +
