@@ -45,6 +45,8 @@ struct HiddenCase {
   /// Where else effects may hide if the first joint cannot show them; tried in this order.
   std::vector<std::string> other_places;
   std::vector<Wish> wishes;
+  /// What takes the place of the last wish at each of the other places; fewer or none: it stays.
+  std::vector<Wish> spares;
   Spoil spoil = Spoil::None;
   int repeats = 6;
   double seconds = 6;      // of each motion

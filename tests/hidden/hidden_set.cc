@@ -248,9 +248,10 @@ HiddenSet makeHiddenSetSomewhere(const HiddenCase& hidden,
                                  const std::shared_ptr<const RobotModel>& model) {
   HiddenCase tried = hidden;
   HiddenSet made = makeHiddenSet(tried, model);
-  for (const std::string& other : hidden.other_places) {
+  for (std::size_t i = 0; i < hidden.other_places.size(); ++i) {
     if (made.truth.shortfall.empty()) break;
-    tried.joints = {other};
+    tried.joints = {hidden.other_places[i]};
+    if (i < hidden.spares.size()) tried.wishes.back() = hidden.spares[i];
     made = makeHiddenSet(tried, model);
   }
   return made;

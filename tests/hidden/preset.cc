@@ -132,11 +132,19 @@ class Dealer {
     HiddenCase& hidden = add(Kind::Pair);
     const Hideout* first = &next(own_, at_own_);
     while (!first->needs.empty()) first = &next(own_, at_own_);
-    const Hideout* second = first;
-    while (looksAlike(second->cause, first->cause) || !second->needs.empty())
-      second = &own_[pick(own_.size())];
-    hidden.wishes = {{*first, sizeOfSingle()}, {*second, sizeOfSingle()}};
+    hidden.wishes = {{*first, sizeOfSingle()}, {partnerOf(*first), sizeOfSingle()}};
     place(hidden, pick(places().size()));
+    for (std::size_t i = 0; i < hidden.other_places.size(); ++i) {
+      hidden.spares.push_back({partnerOf(*first), sizeOfSingle()});
+    }
+  }
+
+  // Another cause that any joint can show.
+  const Hideout& partnerOf(const Hideout& first) {
+    while (true) {
+      const Hideout& second = own_[pick(own_.size())];
+      if (!looksAlike(second.cause, first.cause) && second.needs.empty()) return second;
+    }
   }
 
   void addStranger(int i) {
@@ -171,7 +179,7 @@ class Dealer {
 }  // namespace
 
 Counts countsOf(const std::string& preset) {
-  if (preset == "quick") return {1, 1, 4, 1, 1, 1, 1, 1, 1};
+  if (preset == "quick") return {1, 1, 4, 1, 1, 1, 5, 1, 1};
   if (preset == "standard") return {36, 36, 130, 20, 25, 20, 15, 4, 14};
   if (preset == "full") return {150, 150, 300, 60, 60, 56, 24, 20, 50};
   throw InputError("--preset: expected quick, standard or full, found '" + preset + "'");

@@ -19,6 +19,8 @@ void push(std::deque<double>& line, double value) {
 
 MujocoMotor::MujocoMotor(const MujocoJoint& joint, double step, Random random)
     : joint_(joint), h_(step), random_(random) {
+  // A semi-implicit step moves by the rate at its end: half a step early.
+  joint_.order_delay += step / 2;
   if (joint.noise_sd <= 0) return;
   keep_ = std::exp(-step / joint.noise_time);
   fresh_ = joint.noise_sd * std::sqrt(1 - keep_ * keep_);
