@@ -55,9 +55,9 @@ class RobotCase {
 
   // `false_alarms`: of this robot.
   void diagnose(double false_alarms) {
-    const WholeData data(simulator_, simulator_.joints(), options_.level == Level::Robot);
+    const WholeData data(simulator_, judged(simulator_.joints()), options_.level == Level::Robot);
     tell("comparing the scatter of the repeats");
-    spread_ = fitSpread(data, options_.jobs);
+    spread_ = fitSpread(data, options_.effort.base_runs, options_.jobs);
     into_.spreads.push_back({robot_, spread_});
     if (options_.level == Level::Robot) {
       search(data, robotCauses(simulator_.model(), simulator_.joints()), "robot", false_alarms);
@@ -66,16 +66,38 @@ class RobotCase {
     }
     const auto limbs = limbsOf(simulator_.model(), simulator_.joints());
     for (const std::string& limb : limbs) {
-      const WholeData part(simulator_, jointsOf(simulator_.model(), limb, simulator_.joints()),
-                           false);
+      const WholeData part(simulator_,
+                           judged(jointsOf(simulator_.model(), limb, simulator_.joints())), false);
       search(part, limbCauses(simulator_.model(), limb, simulator_.joints()), limb,
              false_alarms / static_cast<double>(limbs.size()));
     }
   }
 
  private:
-  void search(const WholeData& data, const std::vector<PlacedCause>& causes,
-              const std::string& whole, double false_alarms) {
+  // Feet on the ground hold the two hinges of a shared motor against each other within their play,
+  // in a way that no sensor tells and a replay can not know: such a joint is not judged.
+  bool isJudged(Joint joint) const {
+    return simulator_.model().fixed_base ||
+           simulator_.model().actuators[index(joint)].coordinates.size() == 1;
+  }
+  std::vector<Joint> judged(const std::vector<Joint>& joints) const {
+    std::vector<Joint> some;
+    for (const Joint joint : joints) {
+      if (isJudged(joint)) some.push_back(joint);
+    }
+    return some;
+  }
+
+  void search(const WholeData& data, std::vector<PlacedCause> causes, const std::string& whole,
+              double false_alarms) {
+    const auto unwanted = [&](const PlacedCause& one) {
+      const auto& only = options_.only;
+      const std::string placed = one.cause.id + " at " + one.place;
+      const auto asked = [&](const std::string& id) { return id == one.cause.id || id == placed; };
+      return (!only.empty() && std::none_of(only.begin(), only.end(), asked)) ||
+             (one.joints.size() == 1 && !isJudged(one.joints.front()));
+    };
+    causes.erase(std::remove_if(causes.begin(), causes.end(), unwanted), causes.end());
     const WholeTask task{&data,         &causes,       options_.effort,
                          spread_.noise, options_.jobs, grantedRuns(data)};
     WholeSearch search(
@@ -103,6 +125,11 @@ class RobotCase {
     all.joint = prefix_ + whole;
     all.verdict = found.verdict;
     all.rejected = found.rejected;
+    for (const Joint joint : simulator_.joints()) {
+      if (isJudged(joint)) continue;
+      const std::string& name = simulator_.model().actuators[index(joint)].name;
+      all.rejected.push_back({name, 0, "not judged: the ground holds its two hinges together"});
+    }
     all.critical_gain = found.critical_gain;
     all.misfit_before = found.misfit_before;
     all.misfit_after = found.misfit_after;

@@ -18,7 +18,8 @@ enum class Level { Limb, Robot };
 struct WholeDiagnosisOptions {
   Level level = Level::Robot;
   WholeEffort effort;
-  int jobs = 1;  // threads; the result is the same for any number
+  std::vector<std::string> only;  // causes to try, "id" or "id at place"; empty: all
+  int jobs = 1;                   // threads; the result is the same for any number
   double seconds =
       0;  // of wall time to take, about; which runs it pays for is settled at the start; 0: all
   std::function<void(const std::string&)> progress;

@@ -10,10 +10,10 @@ namespace nao::validation {
 /// How much a diagnosis of the limb or robot level simulates. All per block of runs.
 struct WholeEffort {
   int look_runs = 2;   // measured runs that a look at a cause replays
-  int fit_runs = 8;    // simulated by a fit
-  int base_runs = 48;  // of the model that the measurement is compared with, and as many for nulls
+  int fit_runs = 5;    // simulated by a fit
+  int base_runs = 24;  // of the model that the measurement is compared with, and as many for nulls
   int null_sets = 200;
-  int finalists = 6;    // candidates that are fitted
+  int finalists = 5;    // candidates that are fitted
   int most_causes = 3;  // named
 };
 

@@ -12,7 +12,6 @@ namespace {
 
 using RunsByBlock = std::vector<std::vector<Eigen::VectorXd>>;
 
-constexpr int kRuns = 32;  // simulated per block
 constexpr int kSets = 100;
 // Times the model's noise: less matters to nobody, and the feedback of a walk is worth as much.
 constexpr double kOfInterest = 1.25;
@@ -80,7 +79,7 @@ RunsByBlock drawSet(const WholeData& data, const WholePool& pool, Random& random
 
 }  // namespace
 
-WholeSpread fitSpread(const WholeData& data, int jobs) {
+WholeSpread fitSpread(const WholeData& data, int runs, int jobs) {
   std::size_t most = 0;
   RunsByBlock measured;
   for (const WholeBlock& block : data.simulator().blocks()) {
@@ -88,10 +87,10 @@ WholeSpread fitSpread(const WholeData& data, int jobs) {
   }
   WholeSpread spread;
   if (most < 2) return spread;
-  const int per_run = std::max(4, perRun(kRuns, most));
+  const int per_run = std::max(4, perRun(runs, most));
   const auto streams = static_cast<std::uint64_t>(WholeStream::Noise);
   const WholePool noisy = data.simulate({}, per_run, most, false, streams, 1, jobs);
-  const WholePool still = data.simulate({}, 4, most, false, streams, 1e-6, jobs);
+  const WholePool still = data.simulate({}, 2, most, false, streams, 1e-6, jobs);
   const std::vector<double> full = simulatedVariance(data, noisy);
   const std::vector<double> rest = simulatedVariance(data, still);
   for (const WholeBlock& block : data.simulator().blocks()) {

@@ -17,6 +17,7 @@ struct WholeSpread {
 };
 
 /// Compares the scatter of joints with that of the model, before anything is fitted to it.
-WholeSpread fitSpread(const WholeData& data, int jobs);
+/// `runs`: simulated per block.
+WholeSpread fitSpread(const WholeData& data, int runs, int jobs);
 
 }  // namespace nao::validation
