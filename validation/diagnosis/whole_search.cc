@@ -14,7 +14,8 @@ namespace nao::validation {
 namespace {
 
 constexpr std::size_t kAllRuns = 1000000;
-constexpr int kIterations = 3;
+// Of a fit: one number moves nearly straight to its place, several along valleys.
+constexpr int kIterations = 3, kIterationsOfSeveral = 10;
 // Of the excess misfit, that a cause must explain at least; as at the joint level.
 constexpr double kLeastShare = 0.03;
 // Replaying commands leaves out what the walk's own feedback would have made of each run's chance,
@@ -44,7 +45,8 @@ double stepOf(const FreeNumber& number, double x) {
 
 FitSpace spaceOf(const std::vector<PlacedCause>& causes, const WholeModel& model) {
   FitSpace space;
-  space.iterations = kIterations;
+  const bool several = flat(model).size() > 1;
+  space.iterations = several ? kIterationsOfSeveral : kIterations;
   for (const WholeChosen& one : model) {
     for (std::size_t i = 0; i < one.x.size(); ++i) {
       const FreeNumber& number = causes[one.cause].cause.free[i];
