@@ -1,0 +1,70 @@
+// The preset "quick" as a test: counts that a change of the diagnosis must not make worse. Seeds
+// are fixed; sets are recorded from limbs alone. Weak effects, pairs and strangers are left to
+// `usarnaoqi bench diagnosis`: a single one can take minutes.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "tests/core/temporary_folder.h"
+#include "tests/hidden/figures.h"
+#include "tests/hidden/preset.h"
+#include "tests/hidden/trial.h"
+
+namespace nao::hidden {
+namespace {
+
+constexpr std::uint64_t kSeed = 2026;  // free choice, made once
+
+struct Trials {
+  Figures figures;
+  std::string wrong;
+};
+
+Trials tryCases(const std::function<bool(const HiddenCase&)>& chosen) {
+  const TemporaryFolder folder;
+  TrialPlace place;
+  place.program = NAO_PROGRAM;
+  place.robots_dir = NAO_SOURCE_DIR "/robots";
+  place.folder = folder.path();
+  std::vector<std::string> lines;
+  for (HiddenCase hidden : makeCases(countsOf("quick"), kSeed)) {
+    if (!chosen(hidden)) continue;
+    hidden.limbs = true;
+    lines.push_back(runTrial(hidden, place));
+  }
+  return {figuresOf(lines), listWrong(lines)};
+}
+
+bool isNull(const HiddenCase& hidden) {
+  return hidden.wishes.empty() && hidden.spoil == Spoil::None;
+}
+
+TEST(QuickTrials, NothingIsNamedInNulls) {
+  const Trials trials = tryCases(isNull);
+  const Figures& f = trials.figures;
+  EXPECT_GE(f.exact_nulls + f.near_nulls + f.mujoco_nulls, 2);
+  EXPECT_EQ(f.exact_null_false_alarms, 0) << trials.wrong;
+  EXPECT_EQ(f.near_null_false_alarms, 0) << trials.wrong;
+  EXPECT_EQ(f.mujoco_null_false_alarms, 0) << trials.wrong;
+}
+
+TEST(QuickTrials, SinglesAreNamed) {
+  const Trials trials = tryCases([](const HiddenCase& hidden) {
+    return hidden.kind == Kind::Single || hidden.kind == Kind::MujocoSingle;
+  });
+  const Figures& f = trials.figures;
+  EXPECT_GE(f.singles + f.mujoco_singles, 4);
+  EXPECT_GE(f.singles_exact + f.mujoco_singles_exact, f.singles + f.mujoco_singles - 1)
+      << trials.wrong;
+  EXPECT_EQ(f.singles_named_wrong + f.mujoco_singles_named_wrong, 0) << trials.wrong;
+}
+
+TEST(QuickTrials, DataFaultsAreCalledByTheirKind) {
+  const Trials trials =
+      tryCases([](const HiddenCase& hidden) { return hidden.kind == Kind::DataFault; });
+  EXPECT_GE(trials.figures.data_fault_sets, 5);
+  EXPECT_EQ(trials.figures.data_faults_named, trials.figures.data_fault_sets) << trials.wrong;
+}
+
+}  // namespace
+}  // namespace nao::hidden
