@@ -32,6 +32,9 @@ class JointData {
   const Eigen::VectorXd& mean() const { return mean_; }  // of the repeats
   /// SD of the mean of the repeats at every sample, as if the samples were independent.
   const Eigen::VectorXd& sd() const { return sd_; }
+  /// The part of it that all repeats share: a model that is off by a tenth of an encoder's count
+  /// still predicts every tenth sample a count wrong [rad]; 0 for currents.
+  const Eigen::VectorXd& rounding() const { return rounding_; }
   bool hasRepeats() const { return has_repeats_; }
 
   /// The runs of every motion, one matrix per span, as a stacked vector.
@@ -49,7 +52,7 @@ class JointData {
 
   const JointSimulator& joint_;
   std::vector<MotionSpan> spans_;
-  Eigen::VectorXd mean_, sd_;
+  Eigen::VectorXd mean_, sd_, rounding_;
   Eigen::Index fit_size_ = 0;
   std::vector<int> block_;
   int blocks_ = 0;

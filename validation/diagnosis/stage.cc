@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/random.h"
+#include "validation/diagnosis/noise_modes.h"
 
 namespace nao::validation {
 namespace {
@@ -63,9 +64,12 @@ Stage::Stage(Ensemble& ensemble, const JointData& data, const std::vector<Cause>
   look_base_ = ensemble.mean(settings, effort.look_runs);
   raw_ = data.mean() - pool_.mean;
   look(ensemble, effort);
-  const Eigen::MatrixXd disturbances = directions(effort, ensemble.noise().start_sd);
+  const NoiseModes modes = findNoiseModes(pool_, data, data.sd());
+  Eigen::MatrixXd disturbances = directions(effort, ensemble.noise().start_sd);
+  disturbances.conservativeResize(Eigen::NoChange, disturbances.cols() + modes.directions.cols());
+  disturbances.rightCols(modes.directions.cols()) = modes.directions;
   // The prediction is a mean too: of base_runs where the measurement has its repeats.
-  Eigen::VectorXd sd = data.sd();
+  Eigen::VectorXd sd = modes.sd;
   for (const MotionSpan& span : data.spans()) {
     sd.segment(span.offset, span.size()) *=
         std::sqrt(1 + static_cast<double>(span.repeats) / effort.base_runs);
@@ -152,6 +156,9 @@ void Stage::simulateNulls(const std::string& joint) {
     const std::uint64_t seed = static_cast<std::uint64_t>(set) + 1;
     Random random(seed, "undeclared." + joint);
     Eigen::VectorXd residual = pool_.measuredAgain(data_, seed);
+    for (Eigen::Index i = 0; i < residual.size(); ++i) {
+      if (data_.rounding()[i] > 0) residual[i] += data_.rounding()[i] * random.normal();
+    }
     for (Eigen::Index i = 0; i < undeclared_.cols(); ++i) {
       residual += undeclared_.col(i) * random.uniform(-std::sqrt(3.0), std::sqrt(3.0));
     }
