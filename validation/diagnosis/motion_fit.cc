@@ -1,0 +1,125 @@
+#include "validation/diagnosis/motion_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "validation/diagnosis/ensemble.h"
+#include "validation/diagnosis/least_squares.h"
+
+namespace nao::validation {
+namespace {
+
+// Finite differences as wide as the size of interest: less matters to nobody.
+double stepOf(const FreeNumber& number) {
+  const double typical = number.starts.empty() ? 1e-3 : std::abs(number.starts.front());
+  return number.smallest > 0 ? number.smallest / 2 : std::max(0.05 * typical, 1e-6);
+}
+
+FitSpace spaceOf(const std::vector<Cause>& causes, const CauseList& start, int iterations) {
+  FitSpace space;
+  space.iterations = iterations;
+  for (const Chosen& one : start) {
+    for (std::size_t i = 0; i < one.x.size(); ++i) {
+      const FreeNumber& number = causes[one.cause].free[i];
+      space.start.push_back(one.x[i]);
+      space.lower.push_back(number.lower);
+      space.upper.push_back(number.upper);
+      space.step.push_back(stepOf(number));
+    }
+  }
+  return space;
+}
+
+}  // namespace
+
+CauseList withNumbers(CauseList model, const std::vector<double>& numbers) {
+  std::size_t next = 0;
+  for (Chosen& one : model) {
+    for (double& x : one.x) x = numbers[next++];
+  }
+  return model;
+}
+
+std::vector<double> numbersOf(const CauseList& model) {
+  std::vector<double> all;
+  for (const Chosen& one : model) all.insert(all.end(), one.x.begin(), one.x.end());
+  return all;
+}
+
+MotionFit::MotionFit(const JointSimulator& joint, const JointNoise& noise,
+                     const std::vector<Cause>& causes, const MotionFitOptions& options)
+    : joint_(joint), noise_(noise), causes_(causes), options_(options) {}
+
+Eigen::VectorXd MotionFit::residual(const CauseList& model,
+                                    const std::vector<std::size_t>& motions) const {
+  const auto settings = settingsOf(causes_, model);
+  std::vector<Eigen::VectorXd> parts;
+  Eigen::Index size = 0;
+  for (const std::size_t m : motions) {
+    const JointMotion& motion = joint_.measured()[m];
+    Eigen::VectorXd error = Eigen::VectorXd::Zero(motion.repeats.front().rows());
+    for (const Eigen::MatrixXd& run : motion.repeats) {
+      error += run.col(0) / static_cast<double>(motion.repeats.size());
+    }
+    for (int r = 0; r < options_.runs; ++r) {
+      const JointNoise noise = options_.runs > 1 ? noise_ : JointNoise{};
+      error -=
+          joint_.run(settings, m, streamOf(StreamUse::Mean, m, r), noise).col(0) / options_.runs;
+    }
+    size += error.size();
+    parts.push_back(std::move(error));
+  }
+  Eigen::VectorXd all(size);
+  Eigen::Index at = 0;
+  for (const Eigen::VectorXd& part : parts) {
+    all.segment(at, part.size()) = part;
+    at += part.size();
+  }
+  return all;
+}
+
+// rho(e) = sqrt(e^2 + s^2) - s; a least-squares solver sees sign(e) sqrt(2 rho).
+Eigen::VectorXd MotionFit::softened(const Eigen::VectorXd& residual) const {
+  const double s = options_.soft;
+  return residual.unaryExpr(
+      [s](double e) { return std::copysign(std::sqrt(2 * (std::sqrt(e * e + s * s) - s)), e); });
+}
+
+Eigen::VectorXd MotionFit::weights(const Eigen::VectorXd& residual) const {
+  const double s = options_.soft;
+  return residual.unaryExpr([s](double e) { return 1 / std::sqrt(e * e + s * s); });
+}
+
+double MotionFit::cost(const Eigen::VectorXd& residual) const {
+  return softened(residual).squaredNorm() / 2 / static_cast<double>(residual.size());
+}
+
+MotionFit::Result MotionFit::fit(const CauseList& start,
+                                 const std::vector<std::size_t>& motions) const {
+  Result result;
+  result.model = start;
+  if (!start.empty()) {
+    const FitSpace space = spaceOf(causes_, start, options_.iterations);
+    const FitPoint best = leastSquares(
+        [&](const std::vector<double>& x) {
+          return softened(residual(withNumbers(start, x), motions));
+        },
+        space);
+    result.model = withNumbers(start, best.x);
+    result.residual = residual(result.model, motions);
+    result.jacobian.resize(result.residual.size(), static_cast<Eigen::Index>(best.x.size()));
+    for (std::size_t i = 0; i < best.x.size(); ++i) {
+      std::vector<double> beside = best.x;
+      const double step = differenceStep(space, i, best.x[i]);
+      beside[i] += step;
+      result.jacobian.col(static_cast<Eigen::Index>(i)) =
+          (result.residual - residual(withNumbers(start, beside), motions)) / step;
+    }
+  } else {
+    result.residual = residual(start, motions);
+  }
+  result.cost = cost(result.residual);
+  return result;
+}
+
+}  // namespace nao::validation

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "validation/diagnosis/stage.h"
+
+namespace nao::validation {
+
+/// How the numbers of a model are fitted to motions without asking what noise there is.
+struct MotionFitOptions {
+  int runs = 1;  // simulated per motion; 1: without noise
+  /// [rad] Errors well above count by their size, errors below by their square: a fit to the mean
+  /// absolute error, which a few seconds of a model that is wrong do not rule.
+  double soft = 0.01;
+  int iterations = 20;
+};
+
+/// One joint's motions and models of causes that are fitted to some of them, all numbers at once.
+/// For sets of one run per motion, and for numbers that a user wants fitted. Constant.
+class MotionFit {
+ public:
+  /// All are kept by reference.
+  MotionFit(const JointSimulator& joint, const JointNoise& noise, const std::vector<Cause>& causes,
+            const MotionFitOptions& options);
+
+  /// Measured less predicted angle of these motions, one after another [rad].
+  Eigen::VectorXd residual(const CauseList& model, const std::vector<std::size_t>& motions) const;
+  /// The cost that fits minimise: mean over the samples, in rad.
+  double cost(const Eigen::VectorXd& residual) const;
+  double meanError(const CauseList& model, const std::vector<std::size_t>& motions) const {
+    return residual(model, motions).cwiseAbs().mean();
+  }
+
+  struct Result {
+    CauseList model;
+    double cost = 0;
+    Eigen::VectorXd residual;
+    /// Change of the prediction per number, a column each.
+    Eigen::MatrixXd jacobian;
+  };
+  /// From `start` on. Numbers stay within the bounds of their causes.
+  Result fit(const CauseList& start, const std::vector<std::size_t>& motions) const;
+
+  /// `soft`ened: whose squares sum to twice the cost.
+  Eigen::VectorXd softened(const Eigen::VectorXd& residual) const;
+  /// The weight of a sample in a fit at this residual.
+  Eigen::VectorXd weights(const Eigen::VectorXd& residual) const;
+
+  const JointSimulator& joint() const { return joint_; }
+  const std::vector<Cause>& causes() const { return causes_; }
+
+ private:
+  const JointSimulator& joint_;
+  const JointNoise& noise_;
+  const std::vector<Cause>& causes_;
+  MotionFitOptions options_;
+};
+
+/// The model with these numbers in place of its own, in order.
+CauseList withNumbers(CauseList model, const std::vector<double>& numbers);
+std::vector<double> numbersOf(const CauseList& model);
+
+}  // namespace nao::validation
