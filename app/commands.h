@@ -20,6 +20,8 @@ void addCatalog(CLI::App& app);
 void addExtend(CLI::App& app);
 void addGain(CLI::App& app);
 void addReplay(CLI::App& app);
+void addOptimise(CLI::App& app);
+void addPlan(CLI::App& app);
 void addBench(CLI::App& app);
 void addHide(CLI::App& app);
 

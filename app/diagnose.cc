@@ -10,6 +10,7 @@
 #include "app/commands.h"
 #include "app/source_paths.h"
 #include "core/config.h"
+#include "validation/diagnosis/diagnose_folds.h"
 #include "validation/diagnosis/diagnosis_json.h"
 #include "validation/diagnosis/diagnosis_page.h"
 #include "validation/diagnosis/prepared_set.h"
@@ -136,6 +137,20 @@ void runWhole(const Arguments& arguments, const validation::LogSet& set,
   report(arguments, toJson(found, provenance), page, toText(found), found.set.verdict);
 }
 
+// Without repeats nothing tells the noise: what is held out must decide.
+validation::FoldedSet diagnoseTasks(const std::vector<validation::JointTask>& tasks,
+                                    const validation::PreparedSet& set,
+                                    const validation::DiagnosisOptions& options) {
+  if (!validation::isWithoutRepeats(*tasks.front().joint)) {
+    return {validation::diagnoseJoints(tasks, validation::jointCauses(), options), ""};
+  }
+  validation::FoldSearchOptions by_folds;
+  by_folds.jobs = options.jobs;
+  for (const auto& motion : set.set->motions()) by_folds.gains.push_back(motion.kp_scale);
+  by_folds.progress = [](const std::string& what) { std::fprintf(stderr, "%s\n", what.c_str()); };
+  return validation::diagnoseByFolds(tasks, validation::benchCauses(), by_folds);
+}
+
 void run(const Arguments& arguments) {
   const validation::LogSet set = validation::readLogSet(arguments.set);
   const std::string name = arguments.model.empty() ? set.robot : arguments.model;
@@ -156,10 +171,10 @@ void run(const Arguments& arguments) {
     std::fprintf(stderr, "%3.0f %% %s\n", 100 * part, what.c_str());
   };
   const auto tasks = tasksOf(prepared, arguments.joint);
-  const auto found = validation::diagnoseJoints(tasks, validation::jointCauses(), options);
+  const auto [found, notes] = diagnoseTasks(tasks, prepared, options);
   const validation::Provenance provenance{set.name, name, commandOf(arguments)};
   const std::string page = arguments.out.empty() ? "" : diagnosisPage(found, tasks, provenance);
-  report(arguments, toJson(found, provenance), page, toText(found), found.verdict);
+  report(arguments, toJson(found, provenance), page, toText(found) + notes, found.verdict);
 }
 
 }  // namespace

@@ -6,20 +6,60 @@
 
 #include "app/commands.h"
 #include "app/source_paths.h"
+#include "validation/diagnosis/empirical.h"
+#include "validation/diagnosis/merge_effects.h"
 
 namespace nao::app {
 namespace {
 
 struct Options {
   std::string report, model = "nao_h21_v33", robots_dir = "robots", name;
+  std::string set;
   std::vector<std::string> accept;
+  bool empirical = false;
+  int jobs = 1;
 };
+
+// What has no name: the signatures of the report as torques, fitted to the set beside `causes`.
+std::vector<EffectSetting> empiricalEffects(const Options& options, const std::string& report,
+                                            const RobotModel& model,
+                                            const std::vector<EffectSetting>& causes) {
+  if (options.set.empty()) throw InputError("--empirical: expected --set, the diagnosed set");
+  const validation::LogSet set = validation::readLogSet(options.set);
+  auto extended = std::make_shared<RobotModel>(model);
+  extended->effects = validation::mergedEffects(model, causes, sim::standardEffects());
+  const auto unknowns = validation::unknownJoints(report);
+  const validation::PreparedSet prepared =
+      validation::prepareSet(set, std::move(extended), options.jobs);
+  std::vector<EffectSetting> found;
+  for (const validation::UnknownJoint& unknown : unknowns) {
+    const validation::PreparedJoint& joint = validation::jointOf(prepared, unknown.joint);
+    auto fit = validation::fitEmpirical(joint, unknown.features);
+    fit.setting.joints = {*model.findJoint(unknown.joint)};
+    std::printf("%s: a torque without a name, error on fit motions %.2f -> %.2f mrad\n",
+                unknown.joint.c_str(), 1e3 * fit.before, 1e3 * fit.after);
+    for (const std::string& feature : fit.left_out) {
+      std::printf("  left out: %s\n", feature.c_str());
+    }
+    found.push_back(std::move(fit.setting));
+  }
+  return found;
+}
 
 void run(const Options& options) {
   const std::string robots = findSourceFile(options.robots_dir);
   const auto model = loadRobotModel(robots, options.model);
   const std::string report = options.report + "/report.json";
-  const auto causes = validation::acceptedEffects(report, options.accept, *model);
+  validation::requireNewRobot(robots, options.name);
+  std::vector<EffectSetting> causes;
+  if (!options.empirical || !options.accept.empty()) {
+    causes = validation::acceptedEffects(report, options.accept, *model);
+  }
+  if (options.empirical) {
+    for (EffectSetting& one : empiricalEffects(options, report, *model, causes)) {
+      causes.push_back(std::move(one));
+    }
+  }
   const std::string file = validation::writeExtendedRobot(
       robots, options.name, *model, causes, "Accepted from the diagnosis in " + options.report);
   std::printf("%s: %s with %zu more effect%s\n", file.c_str(), options.model.c_str(), causes.size(),
@@ -35,6 +75,11 @@ void addExtend(CLI::App& app) {
   command->add_option("dir", options->report, "What `diagnose --out` wrote.")->required();
   command->add_option("--accept", options->accept,
                       "Causes to accept, rivals too. Default: all that are named alone.");
+  command->add_flag("--empirical", options->empirical,
+                    "Also what has no name: the signature of what remains, as a torque.");
+  command->add_option("--set", options->set, "The diagnosed set, for --empirical.");
+  command->add_option("--jobs", options->jobs, "Threads; the result is the same.")
+      ->check(CLI::Range(1, 64));
   command->add_option("--model", options->model, "The nominal robot.")->capture_default_str();
   command->add_option("-o,--output", options->name, "Name of the new robot.")->required();
   command->add_option("--robots-dir", options->robots_dir, "Where the robots' folders are.")

@@ -23,6 +23,8 @@ int main(int argc, char** argv) {
   nao::app::addExtend(app);
   nao::app::addGain(app);
   nao::app::addReplay(app);
+  nao::app::addOptimise(app);
+  nao::app::addPlan(app);
   nao::app::addBench(app);
   nao::app::addHide(app);
   try {

@@ -6,9 +6,11 @@
 namespace nao::sim {
 namespace {
 
-// What gear and magnets of a motor without current hold, as a part of its stall torque. Estimate:
-// a Nao switched off in Crouch stays there, which takes 3 %.
+// What the gear of a motor without current holds, as a part of its stall torque. Estimate: a Nao
+// switched off in Crouch stays there, which takes 3 %. It is the gear's losses that hold: none in a
+// robot whose file takes them for part of the motor, and leaves friction to be found.
 constexpr double kHold = 0.05;
+constexpr double kUsualEfficiency = 0.7;  // of a Nao's gear
 // [N m s/rad] The creep of a held joint: 0.4 N m would turn it by 1 degree in 12 hours.
 constexpr double kRest = 1e6;
 // [N m/rad] A gear with play alone touches as hard as a joint's stop: 3 N m bend it 0.01 degrees.
@@ -33,6 +35,7 @@ GearedMotor::GearedMotor(const Actuator& a, const Transmission& gear)
       efficiency_(a.efficiency),
       no_load_(a.no_load_speed),
       rotor_(a.rotor_inertia),
+      hold_(kHold * (1 - a.efficiency) / (1 - kUsualEfficiency)),
       soft_(gear.play > 0 || gear.stiffness > 0),
       half_play_(gear.play / 2),
       stiffness_(gear.stiffness > 0 ? gear.stiffness : kHardGear),
@@ -102,8 +105,8 @@ void GearedMotor::prepareFriction(const Input& input) {
   resist_backward_ = input.resist_backward;
   viscous_ = input.viscous;
   if (input.stiffness <= 0) {
-    resist_forward_ += kHold * stall_;
-    resist_backward_ += kHold * stall_;
+    resist_forward_ += hold_ * stall_;
+    resist_backward_ += hold_ * stall_;
     if (!input.open && no_load_ > 0) viscous_ += stall_ / no_load_;
   }
   if (resist_forward_ <= 0 && resist_backward_ <= 0) {

@@ -14,8 +14,9 @@ namespace nao::sim {
 ///   gear       rigid; or with play and compliance: then the rotor's angle theta is a state of its
 ///              own, and T = k deadzone(theta - q) + d (theta' - q') turns the link. theta' is
 ///              eliminated by one scalar solve, so that the link sees one implicit torque.
-/// Stiffness scales the torque limit, not the gains. Without current a motor holds still with 5 %
-/// of its stall torque and brakes like a shorted one, stall / no-load speed per rad/s.
+/// Stiffness scales the torque limit, not the gains. Without current a motor holds still with a
+/// part of its stall torque (5 % if its gear loses as much as a Nao's) and brakes like a shorted
+/// one, stall / no-load speed per rad/s.
 class GearedMotor {
  public:
   GearedMotor(const BodyPlan& plan, std::size_t joint);
@@ -77,7 +78,7 @@ class GearedMotor {
   double frictionNow() const;
   double frictionChange() const;
 
-  double kp_, kd_, stall_, efficiency_, no_load_, rotor_;
+  double kp_, kd_, stall_, efficiency_, no_load_, rotor_, hold_;
   double deadband_ = 0, duty_root_ = 0, zero_ = 0;
   bool soft_;
   double half_play_, stiffness_, damping_;

@@ -53,6 +53,7 @@ EffectType jointStop();
 EffectType cogging();
 EffectType cableSpring();
 EffectType torqueBias();
+EffectType empiricalTorque();
 EffectType quadraticLoadFriction();
 EffectType directionalLoadFriction();
 EffectType coupledStop();
@@ -115,6 +116,7 @@ const EffectCatalogue& standardEffects() {
     all.add(coupledStop());
     all.add(directionalLoadFriction());
     all.add(quadraticLoadFriction());
+    all.add(empiricalTorque());
     return all;
   }();
   return catalogue;

@@ -15,6 +15,7 @@
 namespace nao::validation {
 namespace {
 
+namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 /// Takes effects out of a report, one finding after the other.
@@ -130,15 +131,19 @@ std::vector<EffectSetting> acceptedEffects(const std::string& report_file,
   return acceptance.finish();
 }
 
-std::string writeExtendedRobot(const std::string& robots_dir, const std::string& name,
-                               const RobotModel& model, const std::vector<EffectSetting>& causes,
-                               const std::string& origin) {
-  namespace fs = std::filesystem;
+void requireNewRobot(const std::string& robots_dir, const std::string& name) {
   const fs::path folder = fs::path(robots_dir) / name;
   if (name.empty() || fs::path(name).has_parent_path() || name[0] == '.') {
     throw InputError("'" + name + "': expected the name of a new robot, without a folder");
   }
   if (fs::exists(folder)) throw InputError(folder.string() + ": there is such a robot already");
+}
+
+std::string writeExtendedRobot(const std::string& robots_dir, const std::string& name,
+                               const RobotModel& model, const std::vector<EffectSetting>& causes,
+                               const std::string& origin) {
+  requireNewRobot(robots_dir, name);
+  const fs::path folder = fs::path(robots_dir) / name;
   std::error_code failed;
   fs::create_directory(folder, failed);
   const std::string file = (folder / "body.yaml").string();

@@ -16,6 +16,9 @@ std::vector<EffectSetting> acceptedEffects(const std::string& report_file,
                                            const std::vector<std::string>& accept,
                                            const RobotModel& model);
 
+/// @throws InputError unless `name` can be that of a robot that is not there yet.
+void requireNewRobot(const std::string& robots_dir, const std::string& name);
+
 /// Writes the robot `name` beside `model` in `robots_dir`: like that one, with `causes` on top of
 /// its effects. Returns the file. `origin`: where they come from, for the file's head.
 /// @throws InputError if there is a robot of that name, or the file can not be written.

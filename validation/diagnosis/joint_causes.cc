@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "validation/diagnosis/causes.h"
+#include "validation/diagnosis/fold_search.h"
 
 namespace nao::validation {
 namespace {
@@ -194,6 +195,21 @@ const std::vector<Cause>& jointCauses() {
       return sim::standardEffects().find(cause.effect) == nullptr;
     };
     all.erase(std::remove_if(all.begin(), all.end(), unknown), all.end());
+    return all;
+  }();
+  return causes;
+}
+
+const std::vector<Cause>& benchCauses() {
+  static const std::vector<Cause> causes = [] {
+    std::vector<Cause> all = jointCauses();
+    all.push_back(one("quadratic_load_friction", "coefficient", {0.3, 1, 2},
+                      "{joint}'s friction grows by {value} with the square of its gear's torque",
+                      "the same sweep with three loads"));
+    all.push_back(shaped(one("directional_load_friction", "motoring", {0.1, 0.3},
+                             "{joint}'s gear loses {value} of what it carries when it drives",
+                             "lifting and lowering the same load"),
+                         "braking", {0.05, 0.2}));
     return all;
   }();
   return causes;

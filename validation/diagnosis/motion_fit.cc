@@ -99,27 +99,30 @@ MotionFit::Result MotionFit::fit(const CauseList& start,
   Result result;
   result.model = start;
   if (!start.empty()) {
+    const auto softenedAt = [&](const std::vector<double>& x) {
+      return softened(residual(withNumbers(start, x), motions));
+    };
     const FitSpace space = spaceOf(causes_, start, options_.iterations);
-    const FitPoint best = leastSquares(
-        [&](const std::vector<double>& x) {
-          return softened(residual(withNumbers(start, x), motions));
-        },
-        space);
-    result.model = withNumbers(start, best.x);
-    result.residual = residual(result.model, motions);
-    result.jacobian.resize(result.residual.size(), static_cast<Eigen::Index>(best.x.size()));
-    for (std::size_t i = 0; i < best.x.size(); ++i) {
-      std::vector<double> beside = best.x;
-      const double step = differenceStep(space, i, best.x[i]);
-      beside[i] += step;
-      result.jacobian.col(static_cast<Eigen::Index>(i)) =
-          (result.residual - residual(withNumbers(start, beside), motions)) / step;
-    }
-  } else {
-    result.residual = residual(start, motions);
+    result.model = withNumbers(start, leastSquares(softenedAt, space).x);
   }
+  result.residual = residual(result.model, motions);
   result.cost = cost(result.residual);
   return result;
+}
+
+void MotionFit::linearise(Result& result, const std::vector<std::size_t>& motions) const {
+  const std::vector<double> x = numbersOf(result.model);
+  const FitSpace space = spaceOf(causes_, result.model, 0);
+  result.residual = residual(result.model, motions);
+  result.cost = cost(result.residual);
+  result.jacobian.resize(result.residual.size(), static_cast<Eigen::Index>(x.size()));
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    std::vector<double> beside = x;
+    const double step = differenceStep(space, i, x[i]);
+    beside[i] += step;
+    result.jacobian.col(static_cast<Eigen::Index>(i)) =
+        (result.residual - residual(withNumbers(result.model, beside), motions)) / step;
+  }
 }
 
 }  // namespace nao::validation

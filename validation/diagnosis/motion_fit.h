@@ -14,7 +14,7 @@ struct MotionFitOptions {
   /// [rad] Errors well above count by their size, errors below by their square: a fit to the mean
   /// absolute error, which a few seconds of a model that is wrong do not rule.
   double soft = 0.01;
-  int iterations = 20;
+  int iterations = 12;
 };
 
 /// One joint's motions and models of causes that are fitted to some of them, all numbers at once.
@@ -37,11 +37,13 @@ class MotionFit {
     CauseList model;
     double cost = 0;
     Eigen::VectorXd residual;
-    /// Change of the prediction per number, a column each.
-    Eigen::MatrixXd jacobian;
+    Eigen::MatrixXd jacobian;  // of the prediction, a column per number; by linearise() alone
   };
   /// From `start` on. Numbers stay within the bounds of their causes.
   Result fit(const CauseList& start, const std::vector<std::size_t>& motions) const;
+
+  /// Residual, cost and jacobian at a model.
+  void linearise(Result& result, const std::vector<std::size_t>& motions) const;
 
   /// `soft`ened: whose squares sum to twice the cost.
   Eigen::VectorXd softened(const Eigen::VectorXd& residual) const;

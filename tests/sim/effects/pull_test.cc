@@ -33,6 +33,21 @@ TEST(Cogging, PullsAsTheSineOfTheAngle) {
   EXPECT_NEAR(kp() * (angle - 0.2), 0.2 * std::sin(5 * angle + 0.4), 1e-6);
 }
 
+TEST(EmpiricalTorque, AddsUpItsFeatures) {
+  const double angle = restOf(
+      {effect(
+          "empirical_torque",
+          {{"constant", 0.1}, {"q", -0.5}, {"cos_q", 0.2}, {"ripple", 5}, {"ripple_sin", 0.15}})},
+      0.2);
+  const double torque = 0.1 - 0.5 * angle + 0.2 * std::cos(angle) + 0.15 * std::sin(5 * angle);
+  EXPECT_NEAR(kp() * (angle - 0.2), torque, 1e-6);
+}
+
+TEST(EmpiricalTorque, SticksWhereItResistsMotion) {
+  const std::map<std::string, double> sign{{"constant", 0}, {"sign", -0.3}};
+  EXPECT_NEAR(restOf({effect("empirical_torque", sign)}, 0.9 * 0.3 / kp()), 0, 1e-6);
+}
+
 TEST(JointStop, StopsTheJointWhereItIsMovedTo) {
   const auto model = arm();
   const double upper = model->coordinates[0].upper;

@@ -1,0 +1,222 @@
+#include "validation/diagnosis/next_experiment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/config.h"
+#include "validation/diagnosis/merge_effects.h"
+#include "validation/diagnosis/prepared_set.h"
+#include "validation/diagnosis/replay.h"
+#include "validation/diagnosis/shared_cause.h"
+#include "validation/suspended.h"
+
+namespace nao::validation {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double kDuration = 6;   // [s] as the standard motions
+constexpr double kMargin = 0.05;  // [rad] from the ends of the range
+constexpr int kRuns = 8;          // simulated per cause and motion
+constexpr double kPose = 0.04;    // [s] between the poses of a file
+
+EffectSetting settingOf(const Json& cause, Joint joint) {
+  const std::string id = cause.at("cause");
+  EffectSetting setting =
+      neutralSetting(cause.value("effect", id.substr(0, id.find('.'))), sim::standardEffects());
+  setting.joints = {joint};
+  for (const Json& number : cause.at("numbers")) {
+    setting.parameters.at(number.at("parameter")) = number.at("value");
+  }
+  return setting;
+}
+
+void addAmbiguous(const Json& joint, const Json& finding, const RobotModel& model,
+                  std::vector<AmbiguousJoint>& found) {
+  const std::string name = joint.at("joint");
+  const auto place = model.findJoint(name);
+  if (!place) throw InputError("robot '" + model.name + "' has no joint '" + name + "'");
+  AmbiguousJoint one;
+  one.joint = name;
+  one.advice = finding.value("experiment", "");
+  one.causes = {finding.at("cause")};
+  one.settings = {settingOf(finding, *place)};
+  for (const Json& rival : finding.at("rivals")) {
+    if (rival.at("cause") == "unknown") continue;
+    one.causes.push_back(rival.at("cause"));
+    one.settings.push_back(settingOf(rival, *place));
+  }
+  if (one.causes.size() > 1) found.push_back(std::move(one));
+}
+
+double triangle(double phase) { return 2 / M_PI * std::asin(std::sin(phase)); }
+
+// Of a joint: from the middle of its range by `reach` [rad] to each side.
+struct Way {
+  double middle = 0, reach = 0;
+};
+
+Way wayOf(const RobotModel& model, Joint joint) {
+  const Actuator& actuator = model.actuators[index(joint)];
+  const Posture* rest = model.findPosture(model.start_posture);
+  const double most = (actuator.upper - actuator.lower) / 2 - kMargin;
+  Way way{(actuator.lower + actuator.upper) / 2, std::clamp(most, 0.05, 1.2)};
+  if (rest == nullptr) return way;
+  way.middle = std::clamp(
+      rest->angle[joint], actuator.lower + way.reach + kMargin,
+      std::max(actuator.lower + way.reach + kMargin, actuator.upper - way.reach - kMargin));
+  return way;
+}
+
+double separationOf(const JointSimulator& joint, std::size_t motion, const JointNoise& noise,
+                    const AmbiguousJoint& ambiguous, int repeats) {
+  std::vector<RunSpread> spreads;
+  for (const EffectSetting& setting : ambiguous.settings) {
+    std::vector<Eigen::MatrixXd> runs;
+    for (int r = 0; r < kRuns; ++r) {
+      runs.push_back(joint.run({setting}, motion, static_cast<std::uint64_t>(r) + 1, noise));
+    }
+    spreads.push_back(spreadOf(runs, 0));
+  }
+  double least = 1e9;
+  for (std::size_t a = 0; a < spreads.size(); ++a) {
+    for (std::size_t b = a + 1; b < spreads.size(); ++b) {
+      const double square = (spreads[a].mean - spreads[b].mean).squaredNorm();
+      const double variance = (spreads[a].variance + spreads[b].variance).sum() / 2 / repeats;
+      least = std::min(least, std::sqrt(square / std::max(variance, 1e-12)));
+    }
+  }
+  return least;
+}
+
+}  // namespace
+
+std::vector<AmbiguousJoint> ambiguousJoints(const std::string& report_file,
+                                            const RobotModel& model) {
+  std::ifstream in(report_file);
+  if (!in) throw InputError(report_file + ": can not be read, expected a diagnosis' report.json");
+  std::vector<AmbiguousJoint> found;
+  try {
+    const Json report = Json::parse(in);
+    for (const Json& joint : report.at("joints")) {
+      for (const Json& finding : joint.at("findings")) addAmbiguous(joint, finding, model, found);
+    }
+  } catch (const Json::exception& error) {
+    throw InputError(report_file + ": expected a diagnosis' report.json: " + error.what());
+  }
+  if (found.empty()) throw InputError(report_file + ": no joint is ambiguous between named causes");
+  return found;
+}
+
+std::vector<RecordedMotion> candidateMotions(const std::shared_ptr<const RobotModel>& model,
+                                             Joint joint) {
+  const Way way = wayOf(*model, joint);
+  const double top = model->actuators[index(joint)].max_velocity;
+  const auto motion = [&](const std::string& name, std::function<double(double)> part) {
+    return RecordedMotion{
+        name, Split::Fit, kDuration, [model, joint, way, part](double t) {
+          const Posture* rest = model->findPosture(model->start_posture);
+          JointArray<double> angle =
+              rest != nullptr ? rest->angle : JointArray<double>(model->jointCount());
+          angle[joint] = way.middle + way.reach * part(std::clamp(t, 0.0, kDuration));
+          return angle;
+        }};
+  };
+  // Of a sine that stays below 70 % of the top speed.
+  const double fast = std::min(2 * M_PI * 3, 0.7 * top / std::max(way.reach, 0.05));
+  return {
+      motion("slow triangle, large", [](double t) { return triangle(2 * M_PI * t / 6); }),
+      motion("slow triangle, small", [](double t) { return 0.15 * triangle(2 * M_PI * t / 6); }),
+      motion("fast sine, large", [fast](double t) { return std::sin(fast * t); }),
+      motion("fast sine, small", [fast](double t) { return 0.2 * std::sin(2 * fast * t); }),
+      motion("sweep", [fast](double t) { return 0.6 * std::sin(fast * t * t / kDuration); }),
+      motion("two amplitudes",
+             [](double t) { return (t < 3 ? 0.2 : 0.9) * std::sin(2 * M_PI * t / 1.5); }),
+      motion("stairs with holds",
+             [](double t) {
+               const double steps[] = {0, 0.5, 1, 0.5, 0, -0.5, -1, -0.5};
+               const double place = std::fmod(t / 0.75, 8), part = place - std::floor(place);
+               const auto i = static_cast<std::size_t>(place);
+               return steps[i] + (steps[(i + 1) % 8] - steps[i]) * std::min(1.0, 4 * part);
+             }),
+  };
+}
+
+std::vector<PlannedMotion> planExperiments(const std::shared_ptr<const RobotModel>& model,
+                                           const AmbiguousJoint& ambiguous, int repeats, int jobs) {
+  const auto hung =
+      std::make_shared<RobotModel>(stripped(model->fixed_base ? *model : suspend(*model)));
+  RecordingPlan plan;
+  plan.model = hung;
+  plan.motions = candidateMotions(model, *model->findJoint(ambiguous.joint));
+  plan.repeats = 1;
+  plan.step = std::chrono::milliseconds(1);
+  const LogSet set = recordSimulated(plan);
+  RigOptions options;
+  options.jobs = jobs;
+  const auto rigs = std::make_shared<RigSet>(set, hung, options);
+  const Joint joint = *model->findJoint(ambiguous.joint);
+  const RigSimulator simulator(rigs, joint);
+  const JointNoise noise = nominalNoise(rigs->model(), joint);
+  std::vector<PlannedMotion> experiments(plan.motions.size());
+  inParallel(experiments.size(), jobs, [&](std::size_t m) {
+    experiments[m] = {plan.motions[m], separationOf(simulator, m, noise, ambiguous, repeats)};
+  });
+  std::stable_sort(
+      experiments.begin(), experiments.end(),
+      [](const PlannedMotion& a, const PlannedMotion& b) { return a.separation > b.separation; });
+  return experiments;
+}
+
+Report reportPlan(const AmbiguousJoint& ambiguous, const std::vector<PlannedMotion>& experiments,
+                  const RobotModel& model, int repeats) {
+  Report report;
+  report.command = "plan";
+  report.robot = model.name;
+  report.runs = repeats;
+  std::string causes;
+  for (const std::string& one : ambiguous.causes) causes += (causes.empty() ? "" : " or ") + one;
+  TextTable table{ambiguous.joint + ": " + causes, {"motion", "separation [SD of the mean]"}, {}};
+  std::vector<Row> rows;
+  for (const PlannedMotion& one : experiments) {
+    rows.push_back({{"motion", one.motion.name}, {"separation_sd", one.separation}});
+    table.lines.push_back({one.motion.name, fixed(one.separation, 2)});
+  }
+  report.figures = {{"rows", std::move(rows)},
+                    {"separation_sd", experiments.empty() ? 0 : experiments.front().separation}};
+  report.tables.push_back(std::move(table));
+  report.remarks.push_back("Next: " + std::to_string(repeats) + " runs of '" +
+                           experiments.front().motion.name + "' with " + ambiguous.joint + ".");
+  if (!ambiguous.advice.empty()) {
+    report.remarks.push_back("Beyond motions alone: " + ambiguous.advice + ".");
+  }
+  return report;
+}
+
+void writeMotion(const RecordedMotion& motion, const RobotModel& model, const std::string& file) {
+  std::ofstream out(file);
+  out << "#WEBOTS_MOTION,V1.0";
+  for (const Actuator& actuator : model.actuators) {
+    if (!actuator.coordinates.empty()) out << "," << actuator.name;
+  }
+  out << "\n";
+  const auto poses = std::lround(motion.duration / kPose);
+  for (long i = 0; i <= poses; ++i) {
+    const long ms = std::lround(1e3 * kPose * static_cast<double>(i));
+    char clock[64];
+    std::snprintf(clock, sizeof clock, "%02ld:%02ld:%03ld,Pose%ld", ms / 60000, ms / 1000 % 60,
+                  ms % 1000, i + 1);
+    out << clock;
+    const JointArray<double> angle = motion.angles(1e-3 * static_cast<double>(ms));
+    for (std::size_t j = 0; j < model.jointCount(); ++j) {
+      if (!model.actuators[j].coordinates.empty()) out << "," << angle[j];
+    }
+    out << "\n";
+  }
+  if (!out.flush()) throw InputError(file + ": can not be written");
+}
+
+}  // namespace nao::validation
