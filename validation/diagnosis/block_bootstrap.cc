@@ -41,7 +41,14 @@ Eigen::MatrixXd bootstrapMoves(const Eigen::MatrixXd& jacobian, const Eigen::Vec
   const Eigen::Index n = jacobian.cols();
   const std::vector<Normal> normals = normalsOf(jacobian, residual, weights, blocks);
   Eigen::VectorXd scale = Eigen::VectorXd::Zero(n);
-  for (const Normal& one : normals) scale += one.square.diagonal();
+  Normal whole{Eigen::MatrixXd::Zero(n, n), Eigen::VectorXd::Zero(n)};
+  for (const Normal& one : normals) {
+    scale += one.square.diagonal();
+    whole.square += one.square;
+    whole.side += one.side;
+  }
+  whole.square += (kRidge * scale.array() + 1e-300).matrix().asDiagonal();
+  const Eigen::VectorXd left = whole.square.ldlt().solve(whole.side);  // by the fit's tolerance
   Random random(seed, "blocks");
   Eigen::MatrixXd moves(sets, n);
   for (Eigen::Index s = 0; s < sets; ++s) {
@@ -54,7 +61,7 @@ Eigen::MatrixXd bootstrapMoves(const Eigen::MatrixXd& jacobian, const Eigen::Vec
       square += one.square;
       side += one.side;
     }
-    moves.row(s) = square.ldlt().solve(side).transpose();
+    moves.row(s) = (square.ldlt().solve(side) - left).transpose();
   }
   return moves;
 }
