@@ -19,7 +19,7 @@ constexpr int kIterations = 3, kIterationsOfSeveral = 10;
 // Of the excess misfit, that a cause must explain at least; as at the joint level.
 constexpr double kLeastShare = 0.03;
 // Replaying commands leaves out what the walk's own feedback would have made of each run's chance,
-// and how a robot came to stand where it begins: exact nulls measured up to this beyond null sets.
+// and how a robot came to stand where it begins: an estimate, no series of nulls has set it yet.
 constexpr double kModelError = 1.5;
 // 99 % of chi-square with one degree of freedom, maximised over about ten independent looks, half:
 // what the threshold would be if the noise were white [nats].

@@ -60,9 +60,9 @@ TEST(WholeDiagnosis, OfTwoRobotsBlamesTheFaultyOne) {
   const WholeDiagnosis diagnosis = diagnose(set);
   ASSERT_EQ(placesOf(diagnosis), "kp_error at other/LHipPitch; ");
   const Finding& found = *diagnosis.set.joints.back().named()[0];
-  // Its size is rough here (-0.49 measured): how far a standing leg sags depends on how it came to
-  // stand, of which a log says nothing.
-  EXPECT_LT(found.numbers[0].deviation, -0.2);
+  // -0.4 was hidden, -0.49 is found: too rough. How far a standing leg sags depends on how it came
+  // to stand, of which a log says nothing.
+  EXPECT_NEAR(found.numbers[0].deviation, -0.4, 0.15);
   EXPECT_LT(found.numbers[0].low, found.numbers[0].high);
   const auto json =
       nlohmann::json::parse(toJson(diagnosis, {"set", "nao_h21_v33", "command", "robot"}));
