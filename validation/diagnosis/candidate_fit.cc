@@ -76,7 +76,10 @@ QuickFit fitQuickly(Ensemble& ensemble, const JointData& data, const Stage& stag
     const Eigen::VectorXd mean = ensemble.mean(settingsOf(causes, with), effort.look_runs);
     return stage.white(raw - (mean - base));
   };
-  if (!causes[cause].linear) space.start = scanned(residual, space);
+  // What was scanned is in its valley; others have to find theirs.
+  const std::vector<double>& seen = causes[cause].scan;
+  const bool found = std::find(seen.begin(), seen.end(), x[0]) != seen.end();
+  if (!causes[cause].linear && !found) space.start = scanned(residual, space);
   const FitPoint best = leastSquares(residual, space);
   return {cause, best.x, before.squaredNorm() / 2 - best.cost};
 }

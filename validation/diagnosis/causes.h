@@ -39,6 +39,9 @@ struct Cause {
   Scope scope = Scope::Joint;
   /// The response is nearly proportional to the size, so that one look serves both signs.
   bool linear = true;
+  /// Sizes to look at one by one, where the response to one says nothing of the next: a clock that
+  /// beats with that of the log. Empty: `starts` are enough.
+  std::vector<double> scan{};
   /// Undeclared spread of this number between equal robots [its unit]: what a robot's maker calls
   /// the same. Less than the smallest size of interest; 0: none is expected.
   double spread = 0;

@@ -164,9 +164,14 @@ void addTiming(std::vector<Cause>& all) {
   all.push_back(forAll(one("sensor_delay", "delay", {0.01, 0.03, -0.005},
                            "{joint}'s angle is reported {value} later than the model says",
                            "the current as a third clock")));
-  all.push_back(forAll(
+  Cause hold =
       byGrid(one("command_hold", "interval", {0.03, 0.015, 0.06, 0.1},
-                 "{joint} takes new commands only every {value}", "a log at a higher rate"))));
+                 "{joint} takes new commands only every {value}", "a log at a higher rate"));
+  // [s] As finely as steps of physics tell intervals apart, then as their beat with a cycle does.
+  for (int i = 10; i < 48; ++i) hold.scan.push_back(2.5e-4 * i);
+  for (int i = 24; i < 80; ++i) hold.scan.push_back(5e-4 * i);
+  for (int i = 40; i <= 120; ++i) hold.scan.push_back(1e-3 * i);
+  all.push_back(forAll(hold));
   all.push_back(forAll(byGrid(one("command_filter", "time", {0.015, 0.05},
                                   "{joint}'s command is smoothed over {value}",
                                   "steps and fast sweeps: a lag, not a delay"))));

@@ -85,14 +85,38 @@ Stage::Stage(Ensemble& ensemble, const JointData& data, const std::vector<Cause>
   own_fit_ = orthonormal(own_fit);
   own_all_ = orthonormal(own_all);
   for (Look& one : looks_) one.white = white(one.raw);
+  for (std::size_t c = 0; c < causes_.size(); ++c) {
+    if (!causes_[c].scan.empty() && !isTaken(c)) scan(c);
+  }
+}
+
+bool Stage::isTaken(std::size_t cause) const {
+  return std::find(given_.begin(), given_.end(), cause) != given_.end() ||
+         std::any_of(model_.begin(), model_.end(),
+                     [&](const Chosen& one) { return one.cause == cause; });
+}
+
+// One run per motion tells which of many sizes is worth a look.
+void Stage::scan(std::size_t cause) {
+  const auto settings = settingsOf(causes_, model_);
+  const Eigen::VectorXd before = ensemble_.mean(settings, 1), residual = white(raw_);
+  double best = 0, largest = 0;
+  for (const double x : causes_[cause].scan) {
+    if (x < causes_[cause].free[0].lower || x > causes_[cause].free[0].upper) continue;
+    CauseList with = model_;
+    with.push_back({cause, {x}});
+    const Eigen::VectorXd change = white(ensemble_.mean(settingsOf(causes_, with), 1) - before);
+    const double gain = change.dot(residual) - change.squaredNorm() / 2;
+    if (gain > largest) largest = gain, best = x;
+  }
+  if (largest <= 0) return;
+  lookAt(ensemble_, cause, {best}, effort_);
+  looks_.back().white = white(looks_.back().raw);
 }
 
 void Stage::look(Ensemble& ensemble, const Effort& effort) {
   for (std::size_t c = 0; c < causes_.size(); ++c) {
-    const bool taken = std::find(given_.begin(), given_.end(), c) != given_.end() ||
-                       std::any_of(model_.begin(), model_.end(),
-                                   [&](const Chosen& one) { return one.cause == c; });
-    if (taken) continue;
+    if (isTaken(c)) continue;
     for (const std::vector<double>& x : startsOf(causes_[c])) lookAt(ensemble, c, x, effort);
   }
 }

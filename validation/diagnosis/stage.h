@@ -82,6 +82,8 @@ class Stage {
   void look(Ensemble& ensemble, const Effort& effort);
   void lookAt(Ensemble& ensemble, std::size_t cause, const std::vector<double>& x,
               const Effort& effort);
+  bool isTaken(std::size_t cause) const;
+  void scan(std::size_t cause);
   Eigen::MatrixXd directions(const Effort& effort, double start_sd);
 
   const JointData& data_;
