@@ -134,7 +134,9 @@ void moveNumbers(ModelFit& fit, const Eigen::VectorXd& raw, const Stage& stage,
   for (Chosen& one : fit.model) {
     for (std::size_t i = 0; i < one.x.size(); ++i, ++column) {
       const FreeNumber& number = causes[one.cause].free[i];
-      const double x = std::clamp(one.x[i] + move[column], number.lower, number.upper);
+      const bool rough = i == 0 && !causes[one.cause].scan.empty();  // its slope leads nowhere
+      const double wanted = rough ? one.x[i] : one.x[i] + move[column];
+      const double x = std::clamp(wanted, number.lower, number.upper);
       fit.raw -= (x - one.x[i]) * fit.jacobian.col(column);
       one.x[i] = x;
     }
