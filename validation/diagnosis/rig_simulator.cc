@@ -9,6 +9,7 @@
 #include "core/random.h"
 #include "sim/effects/coupled_stop.h"
 #include "validation/diagnosis/merge_effects.h"
+#include "validation/diagnosis/yielding_inertia.h"
 
 namespace nao::validation {
 namespace {
@@ -119,6 +120,11 @@ class RigSimulator::Loads {
       for (std::size_t i = 0; i < (load.*field).size(); ++i) {
         (load.*field)[i] += fine[static_cast<Eigen::Index>(i)];
       }
+    }
+    const Eigen::VectorXd whole = spreadOut(after.inertia, load.per_row);
+    for (std::size_t i = 0; i < load.inertia.size(); ++i) {
+      const double least = kLeastOfInertia * whole[static_cast<Eigen::Index>(i)];
+      load.inertia[i] = std::max(load.inertia[i], least);
     }
     return load;
   }

@@ -13,8 +13,6 @@ using Eigen::VectorXd;
 constexpr double kReach = 0.025;
 // [rad/s^2] Accelerations that say nothing: a few times those of smooth motions. Free choice.
 constexpr double kQuiet = 20;
-// The link itself is never free: what is left of it at least. Free choice.
-constexpr double kLeast = 0.2;
 
 // Mean over each window of 2 reach + 1 values, fewer at the ends.
 VectorXd windowMean(const VectorXd& values, Index reach) {
@@ -41,7 +39,7 @@ void moveYieldToInertia(double dt, const VectorXd& acceleration, Eigen::Ref<Vect
   const VectorXd square = windowMean(a.cwiseAbs2(), reach);
   for (Index i = 0; i < torque.size(); ++i) {
     const double fitted = along[i] / (square[i] + kQuiet * kQuiet);
-    const double yield = std::clamp(fitted, -(1 - kLeast) * inertia[i], 0.0);
+    const double yield = std::clamp(fitted, -(1 - kLeastOfInertia) * inertia[i], 0.0);
     torque[i] -= yield * acceleration[i];
     inertia[i] += yield;
   }

@@ -4,6 +4,10 @@
 
 namespace nao::validation {
 
+/// The part of a joint's inertia that neighbours never take away: its own link is not free. Free
+/// choice.
+inline constexpr double kLeastOfInertia = 0.2;
+
 /// Neighbours give way to a joint's jolts, most of all inside the play of their gears: then what
 /// they ask for, `torque` [N m], is in part proportional to the joint's own acceleration. A rig is
 /// steadier if it knows that part as an inertia than as a torque at a given time, as its own jolts

@@ -83,6 +83,16 @@ TEST(RigSimulator, KnowsWhatTheWorldHides) {
   EXPECT_LT(arm.replay("LShoulderPitch", {friction}).misfit, kNull);
 }
 
+TEST(RigSimulator, StaysFiniteWithLinksOfHardlyAnyMass) {
+  const Recorded arm("LShoulderPitch");
+  const RigSimulator elbow(arm.set, *arm.model->findJoint("LElbowRoll"));
+  const auto light = arm.effect("link_mass", {{"part", -0.94}}, "LElbowRoll");
+  for (std::size_t m = 0; m < elbow.measured().size(); ++m) {
+    EXPECT_TRUE(elbow.run({light}, m, 1, kNoise).allFinite());
+    EXPECT_TRUE(elbow.coarse().run({light}, m, 1, kNoise).allFinite());
+  }
+}
+
 TEST(RigSimulator, CalculatesLoadsAnewForOtherMasses) {
   const Recorded nominal("LElbowRoll");
   const EffectSetting payload =
