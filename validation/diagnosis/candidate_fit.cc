@@ -79,7 +79,11 @@ QuickFit fitQuickly(Ensemble& ensemble, const JointData& data, const Stage& stag
   // What was scanned is in its valley; others have to find theirs.
   const std::vector<double>& seen = causes[cause].scan;
   const bool found = std::find(seen.begin(), seen.end(), x[0]) != seen.end();
-  if (!causes[cause].linear && !found) space.start = scanned(residual, space);
+  if (!causes[cause].linear && !found) {
+    space.start = scanned(residual, space);
+    const double gain = (before.squaredNorm() - residual(space.start).squaredNorm()) / 2;
+    if (gain <= 0) return {cause, space.start, gain};  // no size helps: no slope will
+  }
   const FitPoint best = leastSquares(residual, space);
   return {cause, best.x, before.squaredNorm() / 2 - best.cost};
 }

@@ -42,6 +42,7 @@ struct Cause {
   /// Sizes to look at one by one, where the response to one says nothing of the next: a clock that
   /// beats with that of the log. Empty: `starts` are enough.
   std::vector<double> scan{};
+  bool coupled = false;  // needs a joint that another limits
   /// Undeclared spread of this number between equal robots [its unit]: what a robot's maker calls
   /// the same. Less than the smallest size of interest; 0: none is expected.
   double spread = 0;

@@ -130,6 +130,7 @@ void addGear(std::vector<Cause>& all) {
                                " stop moves inwards by {value} where the joint it hangs on is bent",
                            "hold this joint's command, sweep the other"),
                       "place", {0, -0.6, 0.6})));
+    all.back().coupled = true;
   }
 }
 

@@ -42,7 +42,10 @@ JointSearch::JointSearch(const JointSimulator& joint, const JointNoise& noise,
       effort_(effort),
       data_(joint, noise),
       ensemble_(joint, data_, noise, granted_runs) {
-  for (Cause& cause : causes_) cause = boundedAt(cause, joint, sim::standardEffects());
+  for (Cause& cause : causes_) {
+    cause = boundedAt(cause, joint, sim::standardEffects());
+    if (cause.coupled && !joint.isCoupled()) cause.free[0].starts.clear();  // never looked at
+  }
 }
 
 void JointSearch::begin() {
@@ -204,6 +207,7 @@ bool JointSearch::accept(const std::vector<Candidate>& ranking) {
   const double crit = critical();
   for (const Candidate& candidate : ranking) {
     if (candidate.gain <= crit || !candidate.full) return false;
+    if (dropped_.count(candidate.cause) > 0) continue;
     const CrossValidation validation =
         crossValidate(data_, *stage_, candidate.fit, candidate.x.size());
     const std::string reason = objection(*stage_, candidate, validation);
@@ -294,6 +298,7 @@ bool JointSearch::reviewOne(std::size_t place) {
 }
 
 void JointSearch::drop(std::size_t place, double gain, const std::string& reason) {
+  dropped_.insert(accepted_[place].cause);
   reject(accepted_[place].cause, gain, reason);
   accepted_.erase(accepted_.begin() + static_cast<std::ptrdiff_t>(place));
 }

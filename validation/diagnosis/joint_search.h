@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -93,6 +94,8 @@ class JointSearch {
   std::vector<std::size_t> given_;
   double misfit_before_ = 0, split_ratio_ = 0;
   std::vector<Accepted> accepted_;  // in the order of the model
+  std::set<std::size_t>
+      dropped_;  // causes that a review took out again: else it would go in circles
   std::vector<Rejected> rejected_;
   std::vector<std::string> not_tried_;
 };

@@ -50,6 +50,10 @@ class JointSimulator {
   /// of a step falls out.
   virtual const JointSimulator& coarse() const { return *this; }
 
+  /// Whether another joint limits this one in the model: else a limit that moves with another joint
+  /// is not tried here, as it is a stop like any other to a joint alone.
+  virtual bool isCoupled() const { return true; }
+
   /// How far from neutral the model's own effect of that name already is at this joint.
   virtual double present(const std::string& /*effect*/, const std::string& /*parameter*/) const {
     return 0;

@@ -224,6 +224,12 @@ Eigen::MatrixXd RigSimulator::run(const std::vector<EffectSetting>& causes, std:
   return result;
 }
 
+bool RigSimulator::isCoupled() const {
+  const auto& limits = set_->model().coupled_limits;
+  return std::any_of(limits.begin(), limits.end(),
+                     [this](const CoupledLimit& limit) { return limit.limited == joint_; });
+}
+
 double RigSimulator::present(const std::string& effect, const std::string& parameter) const {
   return presentDeviation(set_->model(), index(joint_), effect, parameter, set_->catalogue());
 }
