@@ -51,7 +51,7 @@ long runsWithin(double seconds, const validation::PreparedSet& set, int jobs) {
   const auto begin = std::chrono::steady_clock::now();
   constexpr int kRuns = 20;
   const validation::PreparedJoint& joint = set.joints.front();
-  for (int i = 0; i < kRuns; ++i) joint.simulator->run({}, 0, 1u + i, joint.noise);
+  for (int i = 0; i < kRuns; ++i) joint.simulator->coarse().run({}, 0, 1u + i, joint.noise);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
   const double threads = std::min(jobs, static_cast<int>(set.joints.size()));
   return std::lround(seconds * threads / static_cast<double>(set.joints.size()) /

@@ -96,4 +96,20 @@ double shownValue(const FreeNumber& number, double x) {
   return x * number.neutral <= 1 ? number.neutral : 1 / x;
 }
 
+std::vector<std::vector<double>> startsOf(const Cause& cause) {
+  std::vector<std::vector<double>> all = {{}};
+  for (const FreeNumber& number : cause.free) {
+    std::vector<std::vector<double>> longer;
+    for (const auto& begun : all) {
+      for (const double start : number.starts) {
+        if (start < number.lower || start > number.upper) continue;
+        longer.push_back(begun);
+        longer.back().push_back(start);
+      }
+    }
+    all = std::move(longer);
+  }
+  return all;
+}
+
 }  // namespace nao::validation

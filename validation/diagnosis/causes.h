@@ -61,6 +61,13 @@ const std::vector<Cause>& jointCauses();
 Cause boundedAt(const Cause& cause, const JointSimulator& joint,
                 const sim::EffectCatalogue& catalogue);
 
+/// Of a look at a rough cause, how many times its size a guess may reach: it says nothing beyond.
+constexpr double kFurthest = 1.5;
+
+/// All combinations of the start values of a cause's numbers that lie within its bounds, sizes
+/// first.
+std::vector<std::vector<double>> startsOf(const Cause& cause);
+
 /// The setting that stands for these numbers, one per `cause.free`, on all joints it is given to.
 EffectSetting settingOf(const Cause& cause, const std::vector<double>& numbers);
 

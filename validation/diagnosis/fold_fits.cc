@@ -14,28 +14,11 @@ namespace nao::validation {
 namespace {
 
 constexpr std::size_t kHeldOut = 4;  // causes that are fitted without each fold
-constexpr double kFurthest = 1.5;    // a rough cause's look says nothing of sizes beyond
 
 std::string gainName(double kp_scale) {
   char text[32];
   std::snprintf(text, sizeof text, "gain x %g", kp_scale);
   return text;
-}
-
-std::vector<std::vector<double>> startsOf(const Cause& cause) {
-  std::vector<std::vector<double>> all = {{}};
-  for (const FreeNumber& number : cause.free) {
-    std::vector<std::vector<double>> longer;
-    for (const auto& begun : all) {
-      for (const double start : number.starts) {
-        if (start < number.lower || start > number.upper) continue;
-        longer.push_back(begun);
-        longer.back().push_back(start);
-      }
-    }
-    all = std::move(longer);
-  }
-  return all;
 }
 
 // Rough causes have several valleys.

@@ -62,11 +62,12 @@ void RigSet::findJoints() {
 }
 
 // Where joints rest that were neither moved nor written.
-JointArray<double> RigSet::poseOf(const GriddedMotion& motion) const {
+std::optional<JointArray<double>> RigSet::poseOf(const GriddedMotion& motion) const {
   if (motion.start_pose == kStandardRestPose) return standardRest(*model_);
   const bool named = !motion.start_pose.empty();
   const Posture* posture = model_->findPosture(named ? motion.start_pose : model_->start_posture);
-  return posture != nullptr ? posture->angle : JointArray<double>(model_->jointCount(), 0.0);
+  if (posture == nullptr) return std::nullopt;
+  return posture->angle;
 }
 
 MeasuredMotion RigSet::meanOf(const GriddedMotion& motion) const {
@@ -74,10 +75,9 @@ MeasuredMotion RigSet::meanOf(const GriddedMotion& motion) const {
   const auto joints = static_cast<Eigen::Index>(model_->jointCount());
   MeasuredMotion mean{motion.dt, Eigen::MatrixXd::Zero(rows, joints), Eigen::VectorXd::Zero(joints),
                       std::vector<bool>(model_->jointCount(), false)};
-  const JointArray<double> pose = poseOf(motion);
+  const std::optional<JointArray<double>> pose = poseOf(motion);
   for (Eigen::Index j = 0; j < joints; ++j) {
     const Joint joint = toJoint(static_cast<std::size_t>(j));
-    mean.angle.col(j).setConstant(pose[joint]);
     std::vector<Eigen::VectorXd> runs;
     for (const GriddedMotion::Run& run : motion.runs) {
       const auto at = run.angle.find(joint);
@@ -85,8 +85,16 @@ MeasuredMotion RigSet::meanOf(const GriddedMotion& motion) const {
         runs.push_back(Eigen::Map<const Eigen::VectorXd>(at->second.data(), rows));
       }
     }
-    mean.assumed[static_cast<std::size_t>(j)] = runs.empty();
-    if (runs.empty()) continue;
+    if (runs.empty()) {
+      if (!pose && !model_->actuators[index(joint)].coordinates.empty()) {
+        throw InputError("start_pose of " + motion.motion + ": expected a posture of " +
+                         model_->name + " or '" + kStandardRestPose + "', found '" +
+                         motion.start_pose + "'");
+      }
+      mean.assumed[index(joint)] = true;
+      if (pose) mean.angle.col(j).setConstant((*pose)[joint]);
+      continue;
+    }
     const auto count = static_cast<double>(runs.size());
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(rows);
     for (const Eigen::VectorXd& run : runs) sum += run;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,7 +54,7 @@ class RigSet {
  private:
   void choosePace(double dt);
   void findJoints();
-  JointArray<double> poseOf(const GriddedMotion& motion) const;
+  std::optional<JointArray<double>> poseOf(const GriddedMotion& motion) const;
   MeasuredMotion meanOf(const GriddedMotion& motion) const;
   WholeLoad loadOf(std::size_t motion) const;
 

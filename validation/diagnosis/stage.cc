@@ -11,7 +11,6 @@
 namespace nao::validation {
 namespace {
 
-constexpr double kFurthest = 1.5;  // a rough cause's look says nothing of sizes beyond
 
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
   if (columns.cols() == 0) return columns;
@@ -22,23 +21,6 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
 Eigen::VectorXd without(const Eigen::MatrixXd& basis, const Eigen::VectorXd& x) {
   if (basis.cols() == 0) return x;
   return x - basis * (basis.transpose() * x);
-}
-
-// All combinations of the start values of a cause's numbers, sizes first.
-std::vector<std::vector<double>> startsOf(const Cause& cause) {
-  std::vector<std::vector<double>> all = {{}};
-  for (const FreeNumber& number : cause.free) {
-    std::vector<std::vector<double>> longer;
-    for (const auto& begun : all) {
-      for (const double start : number.starts) {
-        if (start < number.lower || start > number.upper) continue;
-        longer.push_back(begun);
-        longer.back().push_back(start);
-      }
-    }
-    all = std::move(longer);
-  }
-  return all;
 }
 
 }  // namespace

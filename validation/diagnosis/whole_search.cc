@@ -1,6 +1,5 @@
 #include "validation/diagnosis/whole_search.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,9 +17,6 @@ constexpr std::size_t kAllRuns = 1000000;
 constexpr int kIterations = 3, kIterationsOfSeveral = 10;
 // Of the excess misfit, that a cause must explain at least; as at the joint level.
 constexpr double kLeastShare = 0.03;
-// Replaying commands leaves out what the walk's own feedback would have made of each run's chance,
-// and how a robot came to stand where it begins: an estimate, no series of nulls has set it yet.
-constexpr double kModelError = 1.5;
 // 99 % of chi-square with one degree of freedom, maximised over about ten independent looks, half:
 // what the threshold would be if the noise were white [nats].
 constexpr double kWhiteThreshold = 6;
@@ -171,6 +167,7 @@ bool WholeSearch::step() { return accept(rank()); }
 
 bool WholeSearch::accept(const std::vector<Candidate>& ranking) {
   for (const Candidate& candidate : ranking) {
+    if (dropped_.count(candidate.cause) > 0) continue;
     const double held_out = candidate.gain > critical_ ? heldOut(candidate.fit.model) : 0;
     const std::string reason = objection(candidate, held_out);
     if (!reason.empty()) {
@@ -265,6 +262,7 @@ void WholeSearch::review() {
     const double gain = less.cost - fit_.cost;
     if (gain < critical_) {
       rejected_.push_back({labelOf(fit_.model[place].cause, ""), gain, "no longer needed"});
+      dropped_.insert(fit_.model[place].cause);
       accepted_.erase(accepted_.begin() + static_cast<std::ptrdiff_t>(place));
       less.jacobian = jacobianOf(less.model);
       enter(less);
@@ -280,6 +278,7 @@ void WholeSearch::review() {
 bool WholeSearch::swapOne(std::size_t place) {
   const std::vector<WholeChosen> others = accepted_[place].others;
   for (const WholeChosen& other : others) {
+    if (dropped_.count(other.cause) > 0) continue;
     WholeModel swapped = fit_.model;
     swapped[place] = other;
     Fit fit = fitModel(swapped);
@@ -292,119 +291,6 @@ bool WholeSearch::swapOne(std::size_t place) {
     return true;
   }
   return false;
-}
-
-void WholeSearch::judge(WholeVerdict& verdict) const {
-  const std::vector<double> nulls = stage_->nullMisfits();
-  const double middle = quantile(nulls, 0.5);
-  verdict.critical_gain = critical_;
-  verdict.misfit_before = misfit_before_ / middle;
-  verdict.misfit_after = stage_->whiteAll(stage_->raw()).squaredNorm() /
-                         static_cast<double>(task_.data->size()) / middle;
-  verdict.remainder = verdict.misfit_after;
-  verdict.remainder_critical = quantile(nulls, 1 - false_alarms_) / middle * kModelError;
-  bool named = false, ambiguous = false;
-  const Eigen::MatrixXd draws = drawNumbers();
-  for (std::size_t place = 0; place < fit_.model.size(); ++place) {
-    verdict.findings.push_back(finding(place, draws));
-    const Finding& found = verdict.findings.back().finding;
-    named = named || !found.small;
-    ambiguous = ambiguous || (!found.small && !found.rivals.empty());
-  }
-  const bool remains = verdict.remainder > verdict.remainder_critical;
-  if (remains) {
-    verdict.signature = signature();
-    verdict.verdict = named ? Verdict::PartlyExplained : Verdict::Unknown;
-  } else if (named) {
-    verdict.verdict = ambiguous ? Verdict::Ambiguous : Verdict::Named;
-  }
-}
-
-void WholeSearch::describe(WholeVerdict& verdict) const {
-  verdict.rejected = rejected_;
-  verdict.model = fit_.model;
-  verdict.not_tried = not_tried_;
-  if (!not_tried_.empty()) verdict.verdict = Verdict::Unfinished;
-}
-
-// What the numbers of the model would be in each null set: one Gauss-Newton step.
-Eigen::MatrixXd WholeSearch::drawNumbers() const {
-  const Eigen::Index n = fit_.jacobian.cols();
-  Eigen::MatrixXd draws(n, static_cast<Eigen::Index>(stage_->nulls().size()));
-  if (n == 0) return draws;
-  Eigen::MatrixXd white(task_.data->fitSize(), n);
-  for (Eigen::Index i = 0; i < n; ++i) white.col(i) = stage_->whitenFit(fit_.jacobian.col(i));
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solve(white);
-  for (Eigen::Index set = 0; set < draws.cols(); ++set) {
-    draws.col(set) = solve.solve(stage_->whitenFit(stage_->nulls()[static_cast<std::size_t>(set)]));
-  }
-  return draws;
-}
-
-std::vector<FoundNumber> WholeSearch::numbersOf(const WholeChosen& chosen) const {
-  std::vector<FoundNumber> numbers;
-  for (std::size_t i = 0; i < chosen.x.size(); ++i) {
-    const FreeNumber& free = placed(chosen.cause).cause.free[i];
-    numbers.push_back({free.parameter, free.unit, shownValue(free, chosen.x[i]), chosen.x[i],
-                       chosen.x[i], chosen.x[i]});
-  }
-  return numbers;
-}
-
-PlacedFinding WholeSearch::finding(std::size_t place, const Eigen::MatrixXd& draws) const {
-  const WholeChosen& chosen = fit_.model[place];
-  const PlacedCause& cause = placed(chosen.cause);
-  Finding found;
-  found.cause = cause.cause.id;
-  found.effect = cause.cause.effect;
-  found.numbers = numbersOf(chosen);
-  Eigen::Index row = 0;
-  for (std::size_t before = 0; before < place; ++before) {
-    row += static_cast<Eigen::Index>(fit_.model[before].x.size());
-  }
-  for (FoundNumber& number : found.numbers) {
-    const Eigen::VectorXd drawn = draws.row(row++);
-    const std::vector<double> values(drawn.data(), drawn.data() + drawn.size());
-    number.low = number.deviation + quantile(values, 0.05);
-    number.high = number.deviation + quantile(values, 0.95);
-  }
-  const Accepted& accepted = accepted_[place];
-  found.gain = accepted.gain;
-  found.share = std::min(1.0, accepted.share);
-  found.folds = accepted.folds;
-  found.folds_better = accepted.folds_better;
-  found.held_out_gain = accepted.held_out;
-  found.one_motion_only = accepted.folds == 0;
-  found.small = std::abs(chosen.x[0]) < cause.cause.free[0].smallest;
-  found.rivals = accepted.rivals;
-  found.sentence = cause.sentence(valueText(found.numbers[0]));
-  found.experiment = cause.cause.separate;
-  return {found, cause.place};
-}
-
-std::string WholeSearch::labelOf(std::size_t cause, const std::string& beside) const {
-  const PlacedCause& of = placed(cause);
-  return of.place == beside ? of.cause.id : of.cause.id + " at " + of.place;
-}
-
-// The three signals that remain most, by what they have beyond noise.
-std::string WholeSearch::signature() const {
-  const Eigen::VectorXd white = stage_->whiteAll(stage_->raw());
-  std::map<std::string, double> excess;
-  for (std::size_t block = 0; block < task_.data->spaces().size(); ++block) {
-    for (const FeatureGroup& group : task_.data->spaces()[block].groups()) {
-      const auto part = white.segment(task_.data->offsets()[block] + group.offset, group.size);
-      excess[group.name] += part.squaredNorm() - static_cast<double>(group.size);
-    }
-  }
-  std::vector<std::pair<double, std::string>> worst;
-  for (const auto& [name, value] : excess) worst.push_back({-value, name});
-  std::sort(worst.begin(), worst.end());
-  std::string text;
-  for (std::size_t i = 0; i < std::min<std::size_t>(3, worst.size()); ++i) {
-    text += (i > 0 ? ", " : "") + worst[i].second;
-  }
-  return text;
 }
 
 void WholeSearch::tell(const std::string& what) const {

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -91,6 +92,7 @@ class WholeSearch {
     std::vector<WholeChosen> others;  // that were fitted beside it, for the swap
   };
   std::vector<Accepted> accepted_;  // in the order of the model
+  std::set<std::size_t> dropped_;   // causes that a review took out: else it would go in circles
   std::vector<Rejected> rejected_;
   std::vector<std::string> not_tried_;
 };

@@ -49,23 +49,6 @@ Eigen::VectorXd without(const Eigen::MatrixXd& basis, Eigen::VectorXd vector) {
   return vector;
 }
 
-// Starts of a cause's further numbers go with each start of its size.
-std::vector<std::vector<double>> startsOf(const Cause& cause) {
-  std::vector<std::vector<double>> starts;
-  for (const double size : cause.free[0].starts) starts.push_back({size});
-  for (std::size_t i = 1; i < cause.free.size(); ++i) {
-    std::vector<std::vector<double>> longer;
-    for (const std::vector<double>& start : starts) {
-      for (const double more : cause.free[i].starts) {
-        longer.push_back(start);
-        longer.back().push_back(more);
-      }
-    }
-    starts = std::move(longer);
-  }
-  return starts;
-}
-
 // A look serves both signs where the response is nearly linear.
 bool needsStart(const Cause& cause, const std::vector<double>& start) {
   const bool first = start[0] == cause.free[0].starts[0];
