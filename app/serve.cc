@@ -108,9 +108,13 @@ void addServe(CLI::App& app) {
                     "Refuse calls before authentication, as libqi 4 does (default: answer them,\n"
                     "as NAOqi 2.1 to 2.8 do).");
   command->footer(
-      "Limits: payload 16 MiB (64 KiB before authentication), nesting 64, 1024 connections,\n"
-      "4096 subscriptions and 1024 unfinished calls a connection; above 1 MiB unsent a client is\n"
-      "no longer read, above 8 MiB it is closed.");
+      "Limits: payload 16 MiB (64 KiB before authentication), nesting 64, 1024 connections (one "
+      "that\n"
+      "says nothing loses its place to one that comes), 4096 subscriptions and 1024 unfinished "
+      "calls\n"
+      "a connection; above 1 MiB unsent a client is no longer read, above 8 MiB it is closed. Half "
+      "a\n"
+      "message, or an opening, that lasts 30 s is closed.");
   command->callback([arguments] { serve(*arguments); });
 }
 

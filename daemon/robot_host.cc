@@ -11,6 +11,7 @@
 #include "naoqi_api/services/al_frame_manager.h"
 #include "naoqi_api/services/al_motion.h"
 #include "naoqi_api/services/al_robot_posture.h"
+#include "naoqi_api/wire/qi_connection.h"
 
 namespace nao::daemon {
 namespace {
@@ -38,8 +39,11 @@ RobotHost::RobotHost(const HostContext& context, std::size_t robot)
                                                             behaviorHooks(context))),
       hub_(hubOptions(context)) {
   addServices();
-  server_ = std::make_unique<Server>(context.io, hub_, context.options.listen,
-                                     portOf(context.options, robot));
+  const Address address{context.options.listen, portOf(context.options, robot), "--port"};
+  server_ = std::make_unique<Server>(
+      context.io, address, [this](const std::string& endpoint, wire::Connection::Send send) {
+        return std::make_unique<wire::QiConnection>(hub_, endpoint, std::move(send));
+      });
 }
 
 rpc::HubOptions RobotHost::hubOptions(const HostContext& context) {

@@ -1,6 +1,9 @@
 #include "daemon/server.h"
 
+#include <algorithm>
+
 #include "core/check.h"
+#include "daemon/tcp_stream.h"
 
 namespace nao::daemon {
 namespace {
@@ -9,27 +12,27 @@ using boost::asio::ip::tcp;
 
 constexpr std::chrono::milliseconds kBreath{100};  // after a failed accept: out of descriptors
 
-tcp::endpoint endpointOf(const std::string& address, std::uint16_t port) {
+tcp::endpoint endpointOf(const Address& address) {
   boost::system::error_code error;
-  const auto parsed = boost::asio::ip::make_address(address, error);
-  if (error) throw InputError("--listen: expected an IP address, found '" + address + "'");
-  return {parsed, port};
+  const auto parsed = boost::asio::ip::make_address(address.host, error);
+  if (error) throw InputError("--listen: expected an IP address, found '" + address.host + "'");
+  return {parsed, address.port};
 }
 
 }  // namespace
 
-Server::Server(boost::asio::io_context& io, rpc::ServiceHub& hub, const std::string& address,
-               std::uint16_t port)
-    : hub_(hub), acceptor_(io), breath_(io) {
-  const tcp::endpoint endpoint = endpointOf(address, port);
+Server::Server(boost::asio::io_context& io, const Address& address, MakeConnection make_connection)
+    : make_connection_(std::move(make_connection)), acceptor_(io), breath_(io) {
+  const tcp::endpoint endpoint = endpointOf(address);
   try {
     acceptor_.open(endpoint.protocol());
     acceptor_.set_option(tcp::acceptor::reuse_address(true));
     acceptor_.bind(endpoint);
     acceptor_.listen();
   } catch (const boost::system::system_error& error) {
-    throw InputError("--port: can not listen on " + address + ":" + std::to_string(port) + " (" +
-                     error.code().message() + "), expected a free port");
+    throw InputError(address.option + ": can not listen on " + address.host + ":" +
+                     std::to_string(address.port) + " (" + error.code().message() +
+                     "), expected a free port");
   }
   accept();
 }
@@ -41,8 +44,8 @@ void Server::close() {
   acceptor_.close(ignored);
   breath_.cancel();
   while (!sessions_.empty()) {
-    const auto session = *sessions_.begin();
-    sessions_.erase(sessions_.begin());
+    const auto session = sessions_.front();
+    sessions_.pop_front();
     session->close();
   }
 }
@@ -57,15 +60,28 @@ void Server::accept() {
       });
       return;
     }
-    if (sessions_.size() < kMostConnections) {
-      const auto session =
-          std::make_shared<Session>(std::move(socket), hub_, buffer_,
-                                    [this](const auto& closed) { sessions_.erase(closed); });
-      sessions_.insert(session);
-      session->start();
-    }
+    if (hasPlace()) take(std::move(socket));
     accept();
   });
+}
+
+bool Server::hasPlace() {
+  if (sessions_.size() < kMostConnections) return true;
+  const auto silent = std::find_if(sessions_.begin(), sessions_.end(),
+                                   [](const auto& session) { return !session->isOpen(); });
+  if (silent == sessions_.end()) return false;
+  const auto session = *silent;
+  session->close();  // and leaves the list
+  return true;
+}
+
+void Server::take(tcp::socket socket) {
+  auto stream = std::make_unique<TcpStream>(std::move(socket), buffer_);
+  const auto session =
+      std::make_shared<Session>(acceptor_.get_executor(), std::move(stream), make_connection_,
+                                [this](const auto& closed) { sessions_.remove(closed); });
+  sessions_.push_back(session);
+  session->start();
 }
 
 }  // namespace nao::daemon

@@ -3,24 +3,31 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <cstdint>
+#include <list>
 #include <memory>
-#include <set>
 #include <string>
 
 #include "daemon/session.h"
-#include "naoqi_api/service_hub.h"
 
 namespace nao::daemon {
 
-/// Listens for the clients of one robot. I/O thread. The hub outlives it.
+/// Where to listen.
+struct Address {
+  std::string host;        // an IP address
+  std::uint16_t port = 0;  // 0: any free one
+  std::string option;      // that names the port, for error texts
+};
+
+/// Listens for the clients of one wire of one robot. I/O thread.
+///
+/// When all places are taken, a client that comes takes that of the one that has been silent since
+/// it came longest; if all have opened their connections, it is accepted and closed.
 class Server {
  public:
-  /// The most connections at once; further ones are accepted and closed.
   static constexpr std::size_t kMostConnections = 1024;
 
   /// @throws InputError naming the address when it can not be listened on.
-  Server(boost::asio::io_context& io, rpc::ServiceHub& hub, const std::string& address,
-         std::uint16_t port);
+  Server(boost::asio::io_context& io, const Address& address, MakeConnection make_connection);
   ~Server();
 
   std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
@@ -30,11 +37,14 @@ class Server {
  private:
   void accept();
 
-  rpc::ServiceHub& hub_;
+  void take(boost::asio::ip::tcp::socket socket);
+  bool hasPlace();
+
+  MakeConnection make_connection_;
   boost::asio::ip::tcp::acceptor acceptor_;
   boost::asio::steady_timer breath_;
-  Session::ReadBuffer buffer_{};
-  std::set<std::shared_ptr<Session>> sessions_;
+  Stream::ReadBuffer buffer_{};
+  std::list<std::shared_ptr<Session>> sessions_;  // the oldest first
 };
 
 }  // namespace nao::daemon

@@ -1,85 +1,112 @@
 #include "daemon/session.h"
 
-#include <boost/asio/buffer.hpp>
 #include <boost/asio/post.hpp>
-#include <boost/asio/write.hpp>
 #include <utility>
 
 namespace nao::daemon {
 namespace {
 
-std::string addressOf(const boost::asio::ip::tcp::endpoint& endpoint) {
-  return "tcp://" + endpoint.address().to_string() + ":" + std::to_string(endpoint.port());
-}
+// Small messages share a piece up to this size, so that many leave in one write.
+constexpr std::size_t kPiece = 64U << 10U;
 
 }  // namespace
 
-Session::Session(boost::asio::ip::tcp::socket socket, rpc::ServiceHub& hub, ReadBuffer& buffer,
-                 Closed closed)
-    : socket_(std::move(socket)),
-      half_message_clock_(socket_.get_executor()),
+Session::Session(boost::asio::any_io_executor executor, std::unique_ptr<Stream> stream,
+                 MakeConnection make_connection, Closed closed)
+    : executor_(std::move(executor)),
+      stream_(std::move(stream)),
+      make_connection_(std::move(make_connection)),
       closed_(std::move(closed)),
-      buffer_(buffer) {
-  Error ignored;
-  socket_.non_blocking(true, ignored);
-  socket_.set_option(boost::asio::ip::tcp::no_delay(true), ignored);
-  socket_.set_option(boost::asio::socket_base::keep_alive(true), ignored);
-  const auto dialled = socket_.local_endpoint(ignored);
-  connection_ = std::make_unique<wire::QiConnection>(
-      hub, addressOf(dialled), [this](rpc::Bytes frame) { send(std::move(frame)); });
+      half_message_clock_(executor_),
+      opening_clock_(executor_) {}
+
+void Session::start() {
+  closeAfter(opening_clock_, kOpening);
+  stream_->open([self = shared_from_this()](const Error& error) {
+    if (error) return self->close();
+    self->begin();
+  });
 }
 
-void Session::start() { read(); }
+void Session::begin() {
+  if (is_closed_) return;
+  connection_ = make_connection_(stream_->endpoint(),
+                                 [this](rpc::Bytes message) { send(std::move(message)); });
+  connection_->onBroken([this] { closeSoon(); });
+  read();
+}
 
 void Session::read() {
-  if (reading_ || !socket_.is_open()) return;
+  if (reading_ || is_closed_) return;
   reading_ = true;
-  socket_.async_wait(boost::asio::socket_base::wait_read,
-                     [self = shared_from_this()](const Error& error) { self->readable(error); });
+  stream_->read([self = shared_from_this()](const Error& error, const std::uint8_t* bytes,
+                                            std::size_t count) {
+    self->reading_ = false;
+    self->got(error, bytes, count);
+  });
 }
 
-void Session::readable(const Error& waiting) {
-  reading_ = false;
-  if (waiting) return close();
-  Error error;
-  const std::size_t count = socket_.read_some(boost::asio::buffer(buffer_), error);
-  if (error == boost::asio::error::would_block) return read();
+void Session::got(const Error& error, const std::uint8_t* bytes, std::size_t count) {
   if (error) return close();
-  if (!connection_) return;
-  connection_->receive(buffer_.data(), count);
+  if (is_closed_) return;
+  connection_->receive(bytes, count);
   if (mustCloseNow()) return close();
+  if (opening_watched_ && connection_->isOpen()) {
+    opening_watched_ = false;
+    opening_clock_.cancel();
+  }
   if (connection_->wantsClose()) return;  // what was sent goes out first; see written()
   watchHalfMessage();
   if (!connection_->isHeld()) read();
 }
 
-void Session::send(rpc::Bytes frame) {
-  if (overflowed_ || !socket_.is_open()) return;
-  unsent_bytes_ += frame.size();
-  unsent_.push_back(std::move(frame));
+void Session::send(rpc::Bytes message) {
+  if (overflowed_ || is_closed_) return;
+  unsent_bytes_ += message.size();
+  const bool last_may_grow = unsent_.size() > (writing_ ? 1U : 0U);
+  if (last_may_grow && unsent_.back().size() + message.size() <= kPiece) {
+    unsent_.back().insert(unsent_.back().end(), message.begin(), message.end());
+  } else {
+    unsent_.push_back(std::move(message));
+  }
   if (unsent_bytes_ > kStopReading && connection_) connection_->hold();
   if (unsent_bytes_ > kGiveUp && unsent_.size() > 1) {  // one large answer alone may go
-    overflowed_ = true;  // the connection is on the stack: close it from the loop
-    boost::asio::post(socket_.get_executor(), [self = shared_from_this()] { self->close(); });
-  } else if (!writing_) {
-    write();
+    overflowed_ = true;
+    closeSoon();
+  } else {
+    flushSoon();
   }
 }
 
-void Session::write() {
-  writing_ = true;
-  boost::asio::async_write(socket_, boost::asio::buffer(unsent_.front()),
-                           [self = shared_from_this()](const Error& error, std::size_t count) {
-                             self->written(error, count);
-                           });
+void Session::closeSoon() {  // the connection is on the stack
+  boost::asio::post(executor_, [self = shared_from_this()] { self->close(); });
 }
 
-void Session::written(const Error& error, std::size_t count) {
+void Session::flushSoon() {
+  if (writing_ || std::exchange(flush_is_due_, true)) return;
+  boost::asio::post(executor_, [self = shared_from_this()] {
+    self->flush_is_due_ = false;
+    if (!self->writing_) self->flush();
+  });
+}
+
+void Session::flush() {
+  flushing_ = true;
+  while (!writing_ && !is_closed_ && !unsent_.empty()) {
+    writing_ = true;
+    stream_->write(unsent_.front(),
+                   [self = shared_from_this()](const Error& error) { self->written(error); });
+  }
+  flushing_ = false;
+}
+
+void Session::written(const Error& error) {
   writing_ = false;
-  if (error || !connection_) return close();
+  if (error || is_closed_) return close();
+  unsent_bytes_ -= unsent_.front().size();
   unsent_.pop_front();
-  unsent_bytes_ -= count;
-  if (!unsent_.empty()) write();
+  if (!flushing_) flush();  // else the loop there goes on
+  if (is_closed_) return;
   if (connection_->isHeld() && unsent_bytes_ <= kStopReading) connection_->resume();
   if (mustCloseNow()) return close();
   if (!connection_->isHeld() && !connection_->wantsClose()) read();
@@ -94,20 +121,23 @@ void Session::watchHalfMessage() {
                                         connection_->messagesTaken());
   if (clock == HalfMessage::Clock::GoOn) return;
   half_message_clock_.cancel();
-  if (clock == HalfMessage::Clock::Stop) return;
-  half_message_clock_.expires_after(kHalfMessage);
-  half_message_clock_.async_wait([weak = weak_from_this()](const Error& error) {
+  if (clock == HalfMessage::Clock::Restart) closeAfter(half_message_clock_, kHalfMessage);
+}
+
+void Session::closeAfter(boost::asio::steady_timer& clock, std::chrono::seconds patience) {
+  clock.expires_after(patience);
+  clock.async_wait([weak = weak_from_this()](const Error& error) {
     const auto self = weak.lock();
     if (self && !error) self->close();
   });
 }
 
 void Session::close() {
-  if (!connection_) return;
+  if (std::exchange(is_closed_, true)) return;
   const auto connection = std::move(connection_);
-  Error ignored;
-  socket_.close(ignored);
+  stream_->close();
   half_message_clock_.cancel();
+  opening_clock_.cancel();
   closed_(shared_from_this());
 }
 

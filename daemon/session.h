@@ -1,60 +1,79 @@
 #pragma once
 
-#include <array>
-#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/any_io_executor.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <cstdint>
 #include <deque>
 #include <functional>
 #include <memory>
+#include <string>
 
 #include "daemon/half_message.h"
-#include "naoqi_api/wire/qi_connection.h"
+#include "daemon/stream.h"
+#include "naoqi_api/wire/connection.h"
 
 namespace nao::daemon {
 
-/// One client's socket: carries bytes to and from its QiConnection and keeps its limits. Above
-/// kStopReading unsent bytes it takes no more messages from that client, above kGiveUp (events and
-/// late answers pile up) it closes: replies and events are never dropped one by one. I/O thread.
+/// Makes the connection of a client that dialled `endpoint`.
+using MakeConnection = std::function<std::unique_ptr<wire::Connection>(const std::string& endpoint,
+                                                                       wire::Connection::Send)>;
+
+/// One client's socket: carries bytes to and from its connection and keeps its limits. Messages
+/// that arise in one turn of the loop leave together. Above kStopReading unsent bytes it takes no
+/// more messages from that client, above kGiveUp (events and late answers pile up) it closes:
+/// replies and events are never dropped one by one. I/O thread.
 class Session : public std::enable_shared_from_this<Session> {
  public:
   static constexpr std::size_t kStopReading = 1U << 20U;
   static constexpr std::size_t kGiveUp = 8U << 20U;
   static constexpr std::chrono::seconds kHalfMessage{30};  // a message begun must end by then
+  static constexpr std::chrono::seconds kOpening{30};      // and the opening be over
 
   using Closed = std::function<void(const std::shared_ptr<Session>&)>;
-  using ReadBuffer = std::array<std::uint8_t, 65536>;
 
-  /// `buffer` is lent for the moment of a read and may be shared by all sessions of the thread.
-  Session(boost::asio::ip::tcp::socket socket, rpc::ServiceHub& hub, ReadBuffer& buffer,
-          Closed closed);
+  Session(boost::asio::any_io_executor executor, std::unique_ptr<Stream> stream,
+          MakeConnection make_connection, Closed closed);
 
   void start();
+
   /// Closes the socket and ends what the client had open; `closed` is told once.
   void close();
 
- private:
-  using Error = boost::system::error_code;
+  /// False while the client has not said enough to be one.
+  bool isOpen() const { return connection_ && connection_->isOpen(); }
 
+ private:
+  using Error = Stream::Error;
+
+  void begin();
   void read();
-  void readable(const Error& error);
-  void send(rpc::Bytes frame);
-  void write();
-  void written(const Error& error, std::size_t count);
+  void got(const Error& error, const std::uint8_t* bytes, std::size_t count);
+  void send(rpc::Bytes message);
+  void flushSoon();
+  void flush();
+  void written(const Error& error);
   void watchHalfMessage();
+  void closeAfter(boost::asio::steady_timer& clock, std::chrono::seconds patience);
+  void closeSoon();
   bool mustCloseNow() const;
 
-  boost::asio::ip::tcp::socket socket_;
+  boost::asio::any_io_executor executor_;
+  std::unique_ptr<Stream> stream_;
+  MakeConnection make_connection_;
+  Closed closed_;
   HalfMessage half_message_;
   boost::asio::steady_timer half_message_clock_;
-  Closed closed_;
-  std::unique_ptr<wire::QiConnection> connection_;
-  ReadBuffer& buffer_;
-  std::deque<rpc::Bytes> unsent_;
+  boost::asio::steady_timer opening_clock_;
+  std::unique_ptr<wire::Connection> connection_;
+  std::deque<rpc::Bytes> unsent_;  // the first one may be on its way
   std::size_t unsent_bytes_ = 0;
   bool reading_ = false;
   bool writing_ = false;
+  bool flush_is_due_ = false;
+  bool flushing_ = false;
+  bool opening_watched_ = true;
   bool overflowed_ = false;
+  bool is_closed_ = false;
 };
 
 }  // namespace nao::daemon

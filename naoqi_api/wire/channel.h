@@ -35,10 +35,17 @@ class Channel {
   void error(const Message& call, const std::string& text);
   void canceled(const Message& call);
 
-  void close() { send_ = {}; }
+  void close() {
+    send_ = {};
+    on_fail_ = {};
+  }
 
   /// Something could not be sent as it should: the connection is to be closed.
-  void fail() { failed_ = true; }
+  void fail() {
+    failed_ = true;
+    if (on_fail_) on_fail_();
+  }
+  void onFail(std::function<void()> told) { on_fail_ = std::move(told); }
   bool hasFailed() const { return failed_; }
   bool isOpen() const { return static_cast<bool>(send_); }
 
@@ -51,6 +58,7 @@ class Channel {
   Capabilities peer_;
   std::uint32_t next_id_ = 1;
   bool failed_ = false;
+  std::function<void()> on_fail_;
 };
 
 }  // namespace nao::wire

@@ -7,38 +7,13 @@
 
 #include "core/check.h"
 #include "core/random.h"
-#include "daemon/daemon.h"
+#include "tests/daemon/running_daemon.h"
 #include "tests/daemon/tcp_client.h"
 
 namespace nao::daemon {
 namespace {
 
 using rpc::Value;
-
-Options optionsFor(std::vector<RobotOption> robots) {
-  Options options;
-  options.robots = std::move(robots);
-  options.world = NAO_SOURCE_DIR "/worlds/empty.yaml";
-  options.robots_dir = NAO_SOURCE_DIR "/robots";
-  options.port = 0;
-  options.speed = std::numeric_limits<double>::infinity();
-  return options;
-}
-
-/// A daemon that runs until the end of the test.
-class Running {
- public:
-  explicit Running(const Options& options) : daemon_(options), thread_([this] { daemon_.run(); }) {}
-  ~Running() {
-    daemon_.stop();
-    thread_.join();
-  }
-  std::uint16_t port(std::size_t robot = 0) const { return daemon_.port(robot); }
-
- private:
-  Daemon daemon_;
-  std::thread thread_;
-};
 
 class ServerTest : public testing::Test {
  protected:
@@ -244,7 +219,8 @@ TEST(Daemon, SaysWhatItsSeedHasDrawn) {
   EXPECT_EQ(usar_sim.ask("seed", {}, "L").to<std::int64_t>(), 7);
   const Value draw = usar_sim.ask("draw", {}, "{sd}");
   ASSERT_NE(draw.find<Value::Map>(), nullptr);
-  EXPECT_GT(draw.find<Value::Map>()->entries.size(), 20U);  // a zero of every joint, the floor, the start
+  EXPECT_GT(draw.find<Value::Map>()->entries.size(),
+            20U);  // a zero of every joint, the floor, the start
 }
 
 TEST_F(ServerTest, MutatedFramesNeverStopIt) {
