@@ -12,10 +12,13 @@ using motion::StepOrder;
 
 constexpr double kNotice = 0.4;      // [s] e^(-6.1 * 0.4): a tenth of the change is felt now
 constexpr double kSamePlace = 1e-6;  // [m], [rad] below anything a command can resolve
+// [m], [rad] A robot that sways has each landing moved a little; steps that only undo that sway it
+// on and never end. Free: a twentieth of a sole's width.
+constexpr double kCloseEnough = 0.005;
 
-bool same(const Pose2& a, const Pose2& b) {
-  return std::hypot(a.x - b.x, a.y - b.y) < kSamePlace &&
-         std::abs(wrapAngle(a.theta - b.theta)) < kSamePlace;
+bool same(const Pose2& a, const Pose2& b, double tolerance = kSamePlace) {
+  return std::hypot(a.x - b.x, a.y - b.y) < tolerance &&
+         std::abs(wrapAngle(a.theta - b.theta)) < tolerance;
 }
 
 // Where R would be if the other foot stood beside this one.
@@ -23,11 +26,11 @@ Pose2 placeBeside(const Pose2& sole, Foot foot) {
   return compose(sole, {0, -sideOf(foot) * kFootSeparation / 2, 0});
 }
 
-// Beside the supporting foot; nothing if the swinging one already stands there.
+// Beside the supporting foot; nothing if the swinging one already stands there, or nearly.
 std::optional<Pose2> closeFeet(const FeetPlaces& feet, Foot swing) {
   const Foot support = otherFoot(swing);
   const Pose2 beside = soleAt(placeBeside(feet[index(support)], support), swing);
-  if (same(beside, feet[index(swing)])) return std::nullopt;
+  if (same(beside, feet[index(swing)], kCloseEnough)) return std::nullopt;
   return beside;
 }
 
