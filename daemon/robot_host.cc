@@ -6,11 +6,6 @@
 #include <filesystem>
 
 #include "daemon/machine_id.h"
-#include "naoqi_api/services/al_animation_player.h"
-#include "naoqi_api/services/al_behavior_manager.h"
-#include "naoqi_api/services/al_frame_manager.h"
-#include "naoqi_api/services/al_motion.h"
-#include "naoqi_api/services/al_robot_posture.h"
 #include "naoqi_api/wire/qi_connection.h"
 
 namespace nao::daemon {
@@ -27,18 +22,10 @@ RobotHost::RobotHost(const HostContext& context, std::size_t robot)
       pictures_(std::make_shared<camera::RenderQueue>(images_)),
       usar_sim_(context.loop, context.simulation.truth(), robot,
                 {context.options.seed, context.simulation.world().draw()}),
-      video_(link_.sharedModel(), images_, kEpoch),
-      memory_(link_.model(), context.simulation.robot(robot).ports(),
-              context.simulation.robotName(robot), [this] { return naoqiTime(); }),
-      al_memory_(memory_, [this](const std::string& name) { return hub_.findRemote(name); }),
-      motion_events_(link_, memory_),
-      speech_(memory_.store(), callLater(),
-              [](const std::string& text) { spdlog::info("says: {}", text); }),
-      system_(memory_.store(), context.simulation.robotName(robot)),
-      behaviors_(std::make_shared<services::BehaviorRunner>(link_, installedBehaviors(context),
-                                                            behaviorHooks(context))),
+      services_(link_, servicesSetup(context, robot)),
       hub_(hubOptions(context)) {
-  addServices();
+  services_.addTo(hub_);
+  hub_.add(usar_sim_.describe());
   const Address address{context.options.listen, portOf(context.options, robot), "--port"};
   server_ = std::make_unique<Server>(
       context.io, address, [this](const std::string& endpoint, wire::Connection::Send send) {
@@ -52,26 +39,26 @@ rpc::HubOptions RobotHost::hubOptions(const HostContext& context) {
       context.options.strict ? rpc::Personality::libqi4() : rpc::Personality::naoqi();
   options.machine_id = machineId();
   options.process_id = static_cast<std::uint32_t>(::getpid());
-  options.call_later = callLater();
-  options.clock = [this] { return naoqiTime(); };
+  options.call_later = services_.later();
+  options.clock = [this] { return services_.now(); };
   return options;
 }
 
-rpc::CallLater RobotHost::callLater() {
-  return
-      [this](Duration delay, std::function<void()> then) { link_.after(delay, std::move(then)); };
-}
-
-Duration RobotHost::naoqiTime() const { return kEpoch + link_.now().time_since_epoch(); }
-
-std::shared_ptr<services::BehaviorLibrary> RobotHost::installedBehaviors(
-    const HostContext& context) const {
-  namespace fs = std::filesystem;
-  auto library = std::make_shared<services::BehaviorLibrary>();
-  const fs::path own = fs::path(context.options.robots_dir) / link_.model().name / "motions";
-  if (fs::is_directory(own)) library->addFolder(own);
-  for (const std::string& folder : context.options.behaviors) library->addFolder(folder);
-  return library;
+services::RobotServicesSetup RobotHost::servicesSetup(const HostContext& context,
+                                                      std::size_t robot) {
+  services::RobotServicesSetup setup;
+  setup.ports = context.simulation.robot(robot).ports();
+  setup.images = images_;
+  setup.robot_name = context.simulation.robotName(robot);
+  setup.epoch = kEpoch;
+  const auto own =
+      std::filesystem::path(context.options.robots_dir) / link_.model().name / "motions";
+  if (std::filesystem::is_directory(own)) setup.behaviors.push_back(own);
+  for (const std::string& folder : context.options.behaviors) setup.behaviors.push_back(folder);
+  setup.scripts = scriptLauncher(context);
+  setup.log = [](const std::string& text) { spdlog::info("{}", text); };
+  setup.warn = [](const std::string& text) { spdlog::warn("{}", text); };
+  return setup;
 }
 
 services::ScriptLauncher RobotHost::scriptLauncher(const HostContext& context) {
@@ -95,33 +82,9 @@ services::ScriptLauncher RobotHost::scriptLauncher(const HostContext& context) {
   };
 }
 
-services::BehaviorRunner::Hooks RobotHost::behaviorHooks(const HostContext& context) {
-  return {[](const std::string& text) { spdlog::warn("{}", text); },
-          [this](const std::vector<std::string>& running) {
-            memory_.store().raiseEvent("BehaviorsRun", rpc::toValue(running));
-          },
-          scriptLauncher(context)};
-}
-
-void RobotHost::addServices() {
-  const auto warn = [](const std::string& text) { spdlog::warn("{}", text); };
-  hub_.add(al_memory_.describe());
-  hub_.add(system_.describe());
-  hub_.add(speech_.describe());
-  hub_.add(services::makeAlMotion(link_));
-  hub_.add(services::makeAlRobotPosture(link_));
-  hub_.add(services::makeAlFrameManager(
-      link_, warn, std::make_shared<services::BehaviorLibrary>(behaviors_->library())));
-  hub_.add(services::makeAlBehaviorManager(behaviors_));
-  hub_.add(services::makeAlAnimationPlayer(behaviors_));
-  hub_.add(video_.describe());
-  hub_.add(usar_sim_.describe());
-}
-
 void RobotHost::deliver(const std::vector<LoopOutcome>& outcomes) {
   link_.deliver();
-  motion_events_.deliver();
-  video_.deliverImages();
+  services_.deliver();
   usar_sim_.deliver(outcomes);
 }
 

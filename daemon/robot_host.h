@@ -14,15 +14,9 @@
 #include "daemon/script_process.h"
 #include "daemon/server.h"
 #include "daemon/usar_sim.h"
-#include "naoqi_api/memory/robot_memory.h"
 #include "naoqi_api/robot_link.h"
 #include "naoqi_api/service_hub.h"
-#include "naoqi_api/services/al_memory.h"
-#include "naoqi_api/services/al_system.h"
-#include "naoqi_api/services/al_text_to_speech.h"
-#include "naoqi_api/services/al_video_device.h"
-#include "naoqi_api/services/behavior_runner.h"
-#include "naoqi_api/services/motion_events.h"
+#include "naoqi_api/services/robot_services.h"
 
 namespace nao::daemon {
 
@@ -55,24 +49,14 @@ class RobotHost {
 
  private:
   rpc::HubOptions hubOptions(const HostContext& context);
-  rpc::CallLater callLater();
-  Duration naoqiTime() const;
-  void addServices();
-  std::shared_ptr<services::BehaviorLibrary> installedBehaviors(const HostContext& context) const;
-  services::BehaviorRunner::Hooks behaviorHooks(const HostContext& context);
+  services::RobotServicesSetup servicesSetup(const HostContext& context, std::size_t robot);
   services::ScriptLauncher scriptLauncher(const HostContext& context);
 
   services::RobotLink link_;
   std::shared_ptr<camera::ImageFeed> images_;
   std::shared_ptr<camera::RenderQueue> pictures_;
   UsarSim usar_sim_;
-  services::AlVideoDevice video_;
-  memory::RobotMemory memory_;
-  services::AlMemory al_memory_;
-  services::MotionEvents motion_events_;
-  services::AlTextToSpeech speech_;
-  services::AlSystem system_;
-  std::shared_ptr<services::BehaviorRunner> behaviors_;
+  services::RobotServices services_;
   rpc::ServiceHub hub_;
   std::unique_ptr<Server> server_;
   std::set<std::shared_ptr<ScriptProcess>> scripts_;  // that run

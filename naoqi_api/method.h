@@ -37,6 +37,13 @@ struct Caller {
 /// Takes the arguments, already converted to the declared types.
 using Handler = std::function<Pending<Value>(const Caller&, const std::vector<Value>& arguments)>;
 
+/// What a method does, compared with a robot's.
+enum class Answer {
+  Done,          // as on the robot, in the simulated world
+  Simplified,    // keeps what it is told and takes its time; what would come of it is not simulated
+  NotSimulated,  // an error that says so
+};
+
 /// A method as clients see it, and the code that serves it.
 struct Method {
   std::uint32_t uid = 0;
@@ -46,6 +53,7 @@ struct Method {
   std::string meaning;
   std::vector<Argument> arguments;
   std::string return_meaning;
+  Answer answer = Answer::Done;
   Handler call;
 
   /// Converts the arguments as a libqi server would and runs the method. Every CallError becomes

@@ -109,6 +109,19 @@ Service& Service::returning(std::string signature, std::string meaning) {
   return *this;
 }
 
+Service& Service::answering(Answer answer) {
+  methods_.at(last_uid_).answer = answer;
+  return *this;
+}
+
+Service& Service::allAnswering(Answer answer) {
+  constexpr std::uint32_t kFirstOwn = 113;  // below: what every NaoQi module has
+  for (auto& [uid, method] : methods_) {
+    if (uid >= kFirstOwn) method.answer = answer;
+  }
+  return *this;
+}
+
 Service& Service::startAt(std::uint32_t uid) {
   next_uid_ = uid;
   return *this;

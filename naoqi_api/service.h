@@ -94,6 +94,11 @@ class Service {
   /// Overrides the signature of what the method declared last returns; it must return a Value.
   Service& returning(std::string signature, std::string meaning = {});
 
+  /// Says what the method declared last does; Done if it is not said.
+  Service& answering(Answer answer);
+  /// The same for all methods declared so far that are the service's own.
+  Service& allAnswering(Answer answer);
+
   /// Members that follow count from this uid.
   Service& startAt(std::uint32_t uid);
 

@@ -53,8 +53,29 @@ Value AlMemory::getData(const std::string& key) { return read(key).value; }
 
 Value AlMemory::getDataOld(const std::string& key, std::int32_t /*unused*/) { return getData(key); }
 
-Value AlMemory::getDataOnChange(const std::string& /*key*/, std::int32_t /*unused*/) {
-  throw CallError("not simulated: call getData and compare, or subscribe to an event");
+rpc::Pending<Value> AlMemory::getDataOnChange(const std::string& key, std::int32_t /*unused*/) {
+  constexpr std::size_t kMost = 1024;
+  if (awaited_.size() >= kMost) throw CallError("too many calls wait for a key to change");
+  Awaited awaited{key, read(key).value, {}};
+  awaited.pending.onlyWaits();
+  awaited_.push_back(awaited);
+  return awaited.pending;
+}
+
+void AlMemory::deliver() {
+  std::vector<Awaited> before;
+  before.swap(awaited_);
+  for (Awaited& awaited : before) {
+    if (awaited.pending.isDone()) continue;  // canceled
+    const auto found = memory_.read(awaited.key);
+    if (!found) {
+      awaited.pending.fail("Data not found " + awaited.key);
+    } else if (found->value != awaited.before) {
+      awaited.pending.resolve(found->value);
+    } else {
+      awaited_.push_back(std::move(awaited));
+    }
+  }
 }
 
 Value AlMemory::getDataPtr(const std::string& /*key*/) {
@@ -203,14 +224,27 @@ std::vector<std::string> AlMemory::getSubscribers(const std::string& event) {
   return callbacks_.modulesOf(event);
 }
 
-void AlMemory::addMapping(const std::string& /*service*/, const std::string& /*signal*/,
-                          const std::string& /*event*/) {
-  throw CallError("not simulated: connect to the signal itself");
+void AlMemory::addMapping(const std::string& service, const std::string& signal,
+                          const std::string& event) {
+  constexpr int kMost = 1024;
+  if (mappings_ >= kMost) throw CallError("too many signals are mapped");
+  const auto found = find_service_ ? find_service_(service) : nullptr;
+  if (!found) throw CallError("the robot has no service " + service);
+  for (const auto& [uid, member] : found->signals()) {
+    if (member.name != signal) continue;
+    memory_.store().declareEvent(event);
+    ++mappings_;
+    member.emitter.connect([this, event](const std::vector<Value>& values) {
+      memory_.store().raiseEvent(event, values.size() == 1 ? values.front() : Value::list(values));
+    });
+    return;
+  }
+  throw CallError(service + " has no signal " + signal);
 }
 
-void AlMemory::addMappings(const std::string& /*service*/,
-                           const std::map<std::string, std::string>& /*events*/) {
-  throw CallError("not simulated: connect to the signals themselves");
+void AlMemory::addMappings(const std::string& service,
+                           const std::map<std::string, std::string>& events) {
+  for (const auto& [signal, event] : events) addMapping(service, signal, event);
 }
 
 }  // namespace nao::services

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "naoqi_api/memory/robot_memory.h"
@@ -21,6 +22,13 @@ class AlMemory {
   /// `memory` outlives it. `find_module` may be empty: then no module can be called back.
   explicit AlMemory(memory::RobotMemory& memory, FindModule find_module = {});
 
+  /// Finds services of the robot whose signals may be mapped to events; null if there is none.
+  using FindService = std::function<std::shared_ptr<rpc::Service>(const std::string& name)>;
+  void setFindService(FindService find_service) { find_service_ = std::move(find_service); }
+
+  /// After each cycle of the robot: tells those who wait for a key to change.
+  void deliver();
+
   /// The service; this object must outlive it.
   rpc::Service describe();
 
@@ -28,7 +36,7 @@ class AlMemory {
   // Reading
   rpc::Value getData(const std::string& key);
   rpc::Value getDataOld(const std::string& key, std::int32_t unused);
-  rpc::Value getDataOnChange(const std::string& key, std::int32_t unused);
+  rpc::Pending<rpc::Value> getDataOnChange(const std::string& key, std::int32_t unused);
   rpc::Value getDataPtr(const std::string& key);
   rpc::Value getListData(const rpc::OneOrMany<std::string>& keys);
   rpc::Value getTimestamp(const std::string& key);
@@ -79,8 +87,17 @@ class AlMemory {
 
   memory::Stamped read(const std::string& key) const;  // @throws CallError
 
+  struct Awaited {
+    std::string key;
+    rpc::Value before;
+    rpc::Pending<rpc::Value> pending;
+  };
+
   memory::RobotMemory& memory_;
   AlMemoryCallbacks callbacks_;
+  FindService find_service_;
+  std::vector<Awaited> awaited_;
+  int mappings_ = 0;
 };
 
 }  // namespace nao::services

@@ -44,8 +44,8 @@ void AlMemory::describeReading(rpc::Service& service) {
             Argument{"filter", "The text."})
       .at(120);
   addMethod(service, "getDataListName", this, &Self::getDataListName, "All keys.").at(121);
-  addMethod(service, "getDataOnChange", this, &Self::getDataOnChange, "Not simulated.", key(),
-            unused())
+  addMethod(service, "getDataOnChange", this, &Self::getDataOnChange,
+            "Waits until a key has another value, and returns that.", key(), unused())
       .at(122);
   service.method("getDataPtr", this, &Self::getDataPtr, "Only inside the robot; refused.", key())
       .at(123)
@@ -134,11 +134,13 @@ void AlMemory::describeSubscribing(rpc::Service& service) {
   addMethod(service, "unsubscribeToMicroEvent", this, &Self::unsubscribeToEvent,
             "Ends a subscription.", event(), module())
       .at(146);
-  addMethod(service, "addMapping", this, &Self::addMapping, "Not simulated.",
+  addMethod(service, "addMapping", this, &Self::addMapping,
+            "Raises an event whenever a service of the robot emits a signal.",
             Argument{"service", "Name of the service."}, Argument{"signal", "Its signal."},
             Argument{"event", "What to raise."})
       .at(152);
-  addMethod(service, "addMapping", this, &Self::addMappings, "Not simulated.",
+  addMethod(service, "addMapping", this, &Self::addMappings,
+            "Raises events whenever a service of the robot emits signals.",
             Argument{"service", "Name of the service."},
             Argument{"signalEvent", "What to raise for which signal."})
       .at(153);

@@ -22,8 +22,6 @@ using rpc::Value;
 
 constexpr char kVersion[] = "2.1.4.13";  // the NAOqi whose behaviour is followed
 
-[[noreturn]] void refuse() { throw CallError("not simulated: the host is left alone"); }
-
 // A line "MemTotal:  16384 kB" of Linux' /proc/meminfo, in kB; 0 if there is none.
 std::int32_t hostMemory(const std::string& name) {
   std::ifstream file("/proc/meminfo");
@@ -95,11 +93,6 @@ std::vector<Value> AlSystem::diskFree(bool /*all*/) {
                         static_cast<std::uint64_t>(space.available)})};
 }
 
-void AlSystem::shutdown() { refuse(); }
-void AlSystem::reboot() { refuse(); }
-void AlSystem::changePassword(const std::string& /*old*/, const std::string& /*new*/) { refuse(); }
-void AlSystem::upgrade(const std::string& /*image*/, const std::string& /*checksum*/) { refuse(); }
-
 rpc::Service AlSystem::describe() {
   using Self = AlSystem;
   rpc::Service service = rpc::alModule("ALSystem", "Name, versions and resources of the robot.");
@@ -107,8 +100,6 @@ rpc::Service AlSystem::describe() {
   addMethod(service, "setRobotName", this, &Self::setRobotName,
             "Renames the robot; false if the name is empty or too long.",
             Argument{"name", "1 to 64 bytes."});
-  addMethod(service, "shutdown", this, &Self::shutdown, "Not simulated.");
-  addMethod(service, "reboot", this, &Self::reboot, "Not simulated.");
   addMethod(service, "systemVersion", this, &Self::systemVersion, "The version of NAOqi.");
   addMethod(service, "previousSystemVersion", this, &Self::previousSystemVersion,
             "The version before an update; always empty.");
@@ -122,10 +113,6 @@ rpc::Service AlSystem::describe() {
   addMethod(service, "diskFree", this, &Self::diskFree,
             "[(file system, path, size, free)] of the host's root, in bytes.",
             Argument{"all", "Has no effect."});
-  addMethod(service, "changePassword", this, &Self::changePassword, "Not simulated.",
-            Argument{"old", "Ignored."}, Argument{"new", "Ignored."});
-  addMethod(service, "upgrade", this, &Self::upgrade, "Not simulated.",
-            Argument{"image", "Ignored."}, Argument{"checksum", "Ignored."});
   return service;
 }
 

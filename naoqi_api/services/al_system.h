@@ -31,10 +31,6 @@ class AlSystem {
   std::int32_t freeMemory();
   std::int32_t totalMemory();
   std::vector<rpc::Value> diskFree(bool all);
-  void shutdown();
-  void reboot();
-  void changePassword(const std::string& old_password, const std::string& new_password);
-  void upgrade(const std::string& image, const std::string& checksum);
 
   memory::MemoryStore& memory_;
   std::string name_;

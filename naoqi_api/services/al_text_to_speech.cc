@@ -111,14 +111,6 @@ rpc::Pending<void> AlTextToSpeech::sayIn(const std::string& text, const std::str
   return say(text);
 }
 
-void AlTextToSpeech::sayToFile(const std::string& /*text*/, const std::string& /*file*/) {
-  throw CallError("not simulated: no sound is made");
-}
-
-void AlTextToSpeech::sayToFileAndPlay(const std::string& /*text*/) {
-  throw CallError("not simulated: no sound is made");
-}
-
 void AlTextToSpeech::setLanguage(const std::string& language) {
   language_ = languageNamed(language).name;
 }

@@ -27,8 +27,6 @@ class AlTextToSpeech {
   rpc::Pending<void> say(const std::string& text);
   rpc::Pending<void> sayIn(const std::string& text, const std::string& language);
   void stopAll() { queue_.stopAll(); }
-  void sayToFile(const std::string& text, const std::string& file);
-  void sayToFileAndPlay(const std::string& text);
 
   std::string getLanguage() { return language_; }
   void setLanguage(const std::string& language);

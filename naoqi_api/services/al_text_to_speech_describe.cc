@@ -30,9 +30,6 @@ void AlTextToSpeech::describeSpeaking(rpc::Service& service) {
   addMethod(service, "say", this, &Self::sayIn, "Says a text in another language.", text(),
             language());
   addMethod(service, "stopAll", this, &Self::stopAll, "Stops what is said and what waits.");
-  addMethod(service, "sayToFile", this, &Self::sayToFile, "Not simulated.", text(),
-            Argument{"fileName", "Where to write the sound."});
-  addMethod(service, "sayToFileAndPlay", this, &Self::sayToFileAndPlay, "Not simulated.", text());
   addMethod(service, "enableNotifications", this, &Self::setNotifications,
             "Has no effect: events are always raised.");
   addMethod(service, "disableNotifications", this, &Self::setNotifications,

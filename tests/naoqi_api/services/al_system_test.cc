@@ -11,7 +11,6 @@ namespace {
 
 using rpc::Value;
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 class AlSystemTest : public ::testing::Test {
  protected:
@@ -69,17 +68,6 @@ TEST_F(AlSystemTest, MemoryAndDiskAreThoseOfAComputer) {
   EXPECT_EQ(partition[1], Value("/"));
   EXPECT_LE(partition[3].findNumber(), partition[2].findNumber());
   EXPECT_GT(partition[2].findNumber(), 0.0);
-}
-
-TEST_F(AlSystemTest, LeavesTheHostAlone) {
-  for (const char* method : {"shutdown", "reboot"}) {
-    EXPECT_EQ(call(method), Value(std::string("! \tALSystem::") + method +
-                                  "\n\tnot simulated: the host is left alone"));
-  }
-  for (const char* method : {"changePassword", "upgrade"}) {
-    ASSERT_NE(call(method, {"a", "b"}).findText(), nullptr);
-    EXPECT_THAT(*call(method, {"a", "b"}).findText(), HasSubstr("not simulated"));
-  }
 }
 
 }  // namespace

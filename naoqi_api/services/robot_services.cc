@@ -1,0 +1,71 @@
+#include "naoqi_api/services/robot_services.h"
+
+#include <utility>
+
+#include "naoqi_api/documented/documented_services.h"
+#include "naoqi_api/services/al_animation_player.h"
+#include "naoqi_api/services/al_behavior_manager.h"
+#include "naoqi_api/services/al_frame_manager.h"
+#include "naoqi_api/services/al_motion.h"
+#include "naoqi_api/services/al_robot_posture.h"
+
+namespace nao::services {
+
+RobotServices::RobotServices(RobotLink& link, const RobotServicesSetup& setup)
+    : link_(link),
+      epoch_(setup.epoch),
+      video_(link.sharedModel(), setup.images, setup.epoch),
+      memory_(link.model(), setup.ports, setup.robot_name, [this] { return now(); }),
+      context_{link, memory_, later(), setup.log, setup.warn, setup.data_dir},
+      al_memory_(memory_,
+                 [this](const std::string& name) {
+                   return hub_ ? hub_->findRemote(name) : std::shared_ptr<rpc::RemoteObject>();
+                 }),
+      motion_events_(link, memory_),
+      speech_(memory_.store(), later(),
+              [log = setup.log](const std::string& text) { log("says: " + text); }),
+      system_(memory_.store(), setup.robot_name),
+      behaviors_(std::make_shared<BehaviorRunner>(link, installed(setup), behaviorHooks(setup))) {}
+
+rpc::CallLater RobotServices::later() {
+  return
+      [this](Duration delay, std::function<void()> then) { link_.after(delay, std::move(then)); };
+}
+
+std::shared_ptr<BehaviorLibrary> RobotServices::installed(const RobotServicesSetup& setup) {
+  auto library = std::make_shared<BehaviorLibrary>();
+  for (const auto& folder : setup.behaviors) library->addFolder(folder);
+  return library;
+}
+
+BehaviorRunner::Hooks RobotServices::behaviorHooks(const RobotServicesSetup& setup) {
+  return {setup.warn,
+          [this](const std::vector<std::string>& running) {
+            memory_.store().raiseEvent("BehaviorsRun", rpc::toValue(running));
+          },
+          setup.scripts};
+}
+
+void RobotServices::addTo(rpc::ServiceHub& hub) {
+  hub_ = &hub;
+  al_memory_.setFindService([&hub](const std::string& name) { return hub.findService(name); });
+  hub.add(al_memory_.describe());
+  hub.add(system_.describe());
+  hub.add(speech_.describe());
+  hub.add(makeAlMotion(link_));
+  hub.add(makeAlRobotPosture(link_));
+  hub.add(makeAlFrameManager(link_, context_.warn,
+                             std::make_shared<BehaviorLibrary>(behaviors_->library())));
+  hub.add(makeAlBehaviorManager(behaviors_));
+  hub.add(makeAlAnimationPlayer(behaviors_));
+  hub.add(video_.describe());
+  addDocumented(hub);
+}
+
+void RobotServices::deliver() {
+  motion_events_.deliver();
+  al_memory_.deliver();
+  video_.deliverImages();
+}
+
+}  // namespace nao::services
