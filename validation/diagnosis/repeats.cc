@@ -93,8 +93,10 @@ RepeatStatistics spreadOf(const std::vector<Eigen::MatrixXd>& runs, double dt) {
 Eigen::VectorXd rateOf(const Eigen::VectorXd& angle, double dt) {
   constexpr Eigen::Index kReach = 3;
   Eigen::VectorXd rate = Eigen::VectorXd::Zero(angle.size());
-  for (Eigen::Index k = kReach; k + kReach < angle.size(); ++k) {
-    rate[k] = (angle[k + kReach] - angle[k - kReach]) / (2 * kReach * dt);
+  for (Eigen::Index k = 0; k < angle.size(); ++k) {
+    const Eigen::Index from = std::max<Eigen::Index>(0, k - kReach);
+    const Eigen::Index to = std::min(angle.size() - 1, k + kReach);
+    if (to > from) rate[k] = (angle[to] - angle[from]) / (static_cast<double>(to - from) * dt);
   }
   return rate;
 }

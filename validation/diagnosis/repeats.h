@@ -6,8 +6,8 @@
 
 namespace nao::validation {
 
-/// Rate of change of an angle [rad/s] by central differences over a few rows, so that counts of an
-/// encoder do not matter; 0 at the ends.
+/// Rate of change of an angle [rad/s] by central differences over a few rows, fewer at the ends, so
+/// that counts of an encoder do not matter.
 Eigen::VectorXd rateOf(const Eigen::VectorXd& angle, double dt);
 /// By how much a run came late [s], as its deviation from the mean shows where the mean moves.
 double latenessOf(const Eigen::VectorXd& deviation, const Eigen::VectorXd& rate);

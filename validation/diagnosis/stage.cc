@@ -11,7 +11,6 @@
 namespace nao::validation {
 namespace {
 
-
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
   if (columns.cols() == 0) return columns;
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);

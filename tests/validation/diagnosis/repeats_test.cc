@@ -33,6 +33,24 @@ TEST(Repeats, TellHowManySamplesAreWorthOne) {
   EXPECT_NEAR(statisticsOf(noisy(0, 8)).inflation[0], 1, 0.2);
 }
 
+// Repeats of one swing that begin 2 ms early or late, with noise of SD 1e-4.
+TEST(Repeats, LatenessIsNotNoise) {
+  Random random(7, "late");
+  JointMotion motion{"swing", Split::Fit, 0.01, {}};
+  for (const double late : {-0.002, 0.002, -0.001, 0.0015, 0.0005, -0.001}) {
+    Eigen::MatrixXd run(600, 1);
+    for (int i = 0; i < 600; ++i) {
+      run(i, 0) = std::sin(4 * (0.01 * i - late)) + 1e-4 * random.normal();
+    }
+    motion.repeats.push_back(run);
+  }
+  const RepeatStatistics found = statisticsOf(motion);
+  EXPECT_NEAR(found.sd.mean(), 1e-4, 2e-5);  // 4e-3 with the lateness
+  const Eigen::VectorXd rate = rateOf(found.mean.col(0), 0.01);
+  const double late = latenessOf(motion.repeats[1].col(0) - found.mean.col(0), rate);
+  EXPECT_NEAR(late, 0.002, 1e-4);  // the mean is on time
+}
+
 TEST(Repeats, HalvesDifferByTheNoiseOfTheMean) {
   const JointMotion motion = noisy(0, 6);
   double square = 0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "core/shape_gap.h"
 #include "sim/world.h"
@@ -100,6 +101,27 @@ TEST_P(EveryNao, IsNeverToldToMoveFasterThanItCan) {
         ASSERT_LE(step, kStep + 0.95 * speed * kCycle)
             << standardMotions()[m].name << " " << model_->actuators[j].name << " cycle " << i;
       }
+    }
+  }
+}
+
+// Raw steps are single rows; whatever lasts must leave the servo torque to follow.
+TEST_P(EveryNao, LastsNowhereAtTopSpeed) {
+  constexpr std::size_t kSteps = 10;  // rows of a motion
+  for (std::size_t m = 0; m < standardMotions().size(); ++m) {
+    const auto angles = play(*model_, m, kCycle);
+    for (std::size_t j = 0; j < model_->jointCount(); ++j) {
+      const auto is_limited = [&](const CoupledLimit& limit) { return index(limit.limited) == j; };
+      if (std::any_of(model_->coupled_limits.begin(), model_->coupled_limits.end(), is_limited)) {
+        continue;
+      }
+      std::vector<double> speed;
+      for (std::size_t i = 1; i < angles.size(); ++i) {
+        speed.push_back(std::abs(angles[i][j] - angles[i - 1][j]) / kCycle);
+      }
+      std::nth_element(speed.begin(), speed.begin() + kSteps, speed.end(), std::greater<>());
+      EXPECT_LE(speed[kSteps], 0.95 * model_->actuators[j].max_velocity)
+          << standardMotions()[m].name << " " << model_->actuators[j].name;
     }
   }
 }
