@@ -22,6 +22,7 @@ struct Arguments {
   std::string shard = "1/1";
   bool json = false;
   int most = 0;
+  std::string kind;
   Counts counts;
   TrialPlace place;
 };
@@ -66,6 +67,7 @@ void run(const Arguments& arguments) {
   int made = 0;
   for (std::size_t i = shard.index; i < cases.size(); i += shard.count) {
     const std::string name = cases[i].name();
+    if (!arguments.kind.empty() && nameOf(cases[i].kind) != arguments.kind) continue;
     if (done.count(name) == 0) {
       if (arguments.most > 0 && made == arguments.most) break;
       done[name] = runTrial(cases[i], arguments.place);
@@ -106,6 +108,8 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--jobs", arguments.place.jobs, "Threads of a diagnosis.")->capture_default_str();
   app.add_option("--most", arguments.most, "Stop after this many sets more; 0: all.");
+  app.add_option("--kind", arguments.kind,
+                 "Sets of this kind alone, such as single or exact_null.");
   app.add_option("--program", arguments.place.program, "The program on trial.");
   app.add_option("--robots-dir", arguments.place.robots_dir, "The nominal models.");
   app.add_flag("--keep", arguments.place.keep_sets, "Keep the sets.");

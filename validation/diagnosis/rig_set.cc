@@ -4,7 +4,6 @@
 #include "core/check.h"
 #include "validation/diagnosis/merge_effects.h"
 #include "validation/diagnosis/rig_simulator.h"
-#include "validation/diagnosis/shared_cause.h"
 #include "validation/log/standard_motions.h"
 #include "validation/suspended.h"
 
@@ -24,8 +23,6 @@ RigSet::RigSet(const LogSet& set, std::shared_ptr<const RobotModel> model, RigOp
   choosePace(motions_.front().dt);
   findJoints();
   for (const GriddedMotion& motion : motions_) measured_.push_back(meanOf(motion));
-  loads_.resize(motions_.size());
-  inParallel(loads_.size(), options_.jobs, [this](std::size_t m) { loads_[m] = loadOf(m); });
 }
 
 const sim::EffectCatalogue& RigSet::catalogue() const {
@@ -73,7 +70,7 @@ std::optional<JointArray<double>> RigSet::poseOf(const GriddedMotion& motion) co
 MeasuredMotion RigSet::meanOf(const GriddedMotion& motion) const {
   const auto rows = static_cast<Eigen::Index>(motion.rows);
   const auto joints = static_cast<Eigen::Index>(model_->jointCount());
-  MeasuredMotion mean{motion.dt, Eigen::MatrixXd::Zero(rows, joints), Eigen::VectorXd::Zero(joints),
+  MeasuredMotion mean{motion.dt, Eigen::MatrixXd::Zero(rows, joints),
                       std::vector<bool>(model_->jointCount(), false)};
   const std::optional<JointArray<double>> pose = poseOf(motion);
   for (Eigen::Index j = 0; j < joints; ++j) {
@@ -99,40 +96,8 @@ MeasuredMotion RigSet::meanOf(const GriddedMotion& motion) const {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(rows);
     for (const Eigen::VectorXd& run : runs) sum += run;
     mean.angle.col(j) = sum / count;
-    if (runs.size() < 2) continue;
-    double squares = 0;
-    for (const Eigen::VectorXd& run : runs) squares += (run - sum / count).squaredNorm();
-    mean.angle_sd[j] = std::sqrt(squares / ((count - 1) * static_cast<double>(rows)) / count);
   }
   return mean;
-}
-
-WholeLoad RigSet::loadOf(std::size_t motion) const {
-  const GriddedMotion& played = motions_[motion];
-  RobotModel model = *model_;
-  for (Actuator& actuator : model.actuators) actuator.kp *= played.kp_scale;
-  const GriddedMotion::Run& run = played.runs.front();
-  std::vector<JointCommand> orders;
-  for (std::size_t k = 0; k < played.rows; ++k) {
-    JointCommand order{JointArray<double>(model.jointCount()),
-                       JointArray<double>(model.jointCount(), 1.0)};
-    for (std::size_t j = 0; j < model.jointCount(); ++j) {
-      const auto command = run.command.find(toJoint(j));
-      const auto stiffness = run.stiffness.find(toJoint(j));
-      order.angle[j] = command != run.command.end()
-                           ? command->second[k]
-                           : measured_[motion].angle(0, static_cast<Eigen::Index>(j));
-      if (stiffness != run.stiffness.end()) order.stiffness[j] = stiffness->second[k];
-    }
-    orders.push_back(order);
-  }
-  WholeLoadOptions options;
-  options.settle = options_.settle;
-  options.step = world_step_;
-  options.per_row = per_row_;
-  options.bandwidth = options_.bandwidth;
-  return calcWholeLoad(model, effectsWith({}, played), orders, measured_[motion], options,
-                       catalogue());
 }
 
 std::vector<EffectSetting> RigSet::effectsWith(const std::vector<EffectSetting>& causes,

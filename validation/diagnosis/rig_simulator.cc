@@ -2,33 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "core/check.h"
-#include "core/memo.h"
 #include "core/random.h"
-#include "sim/effects/coupled_stop.h"
 #include "validation/diagnosis/merge_effects.h"
-#include "validation/diagnosis/yielding_inertia.h"
 
 namespace nao::validation {
 namespace {
-
-// Lists of causes with changed masses, times motions, that are remembered; a load of 600 rows
-// takes 20 kB.
-constexpr std::size_t kRemembered = 256;
-
-std::string keyOf(std::size_t motion, const std::vector<EffectSetting>& effects) {
-  std::ostringstream key;
-  key.precision(17);
-  key << motion;
-  for (const EffectSetting& effect : effects) {
-    key << '|' << effect.name;
-    for (const auto& [name, value] : effect.parameters) key << ' ' << name << '=' << value;
-    for (const Joint joint : effect.joints) key << ' ' << index(joint);
-  }
-  return key.str();
-}
 
 std::vector<double> meanOf(const GriddedMotion& motion,
                            std::map<Joint, std::vector<double>> GriddedMotion::Run::*signal,
@@ -66,86 +46,12 @@ RobotModel withGain(const RobotModel& model, Joint joint, double kp_scale) {
 
 }  // namespace
 
-/// The loads of one joint, by what changes them.
-class RigSimulator::Loads {
- public:
-  Loads(const RigSet& set, Joint joint) : set_(set), joint_(joint), memo_(kRemembered) {
-    for (const CoupledLimit& limit : set.model().coupled_limits) {
-      if (limit.limited == joint) others_.push_back(limit.driver);
-    }
-    const auto coupled = sim::findCoupledTo(set.model(), joint);
-    if (others_.empty() && coupled) others_.push_back(*coupled);
-  }
-
-  std::vector<std::string> others() const {
-    std::vector<std::string> names;
-    for (const Joint other : others_) {
-      names.push_back(set_.model().actuators[index(other)].name);
-    }
-    return names;
-  }
-
-  std::shared_ptr<const sim::JointLoad> get(std::size_t motion,
-                                            const std::vector<EffectSetting>& effects) {
-    const std::vector<EffectSetting> changing = changingLoads(effects);
-    return memo_.get(keyOf(motion, changing), [&] { return calc(motion, changing); });
-  }
-
- private:
-  std::vector<EffectSetting> changingLoads(const std::vector<EffectSetting>& effects) const {
-    std::vector<EffectSetting> changing;
-    for (const EffectSetting& effect : effects) {
-      const sim::EffectType* type = set_.catalogue().find(effect.name);
-      const bool moves = effect.name == "joint_zero" || effect.name == "encoder_offset" ||
-                         effect.name == "sensor_delay";
-      if (type && (moves || reachOf(*type) == sim::JointReach::Load)) changing.push_back(effect);
-    }
-    return changing;
-  }
-
-  // The nominal load, and what the causes change in the one that comes from the rows alone.
-  sim::JointLoad calc(std::size_t motion, const std::vector<EffectSetting>& changing) const {
-    sim::JointLoad load = set_.load(motion).of(joint_);
-    for (const Joint other : others_) {
-      load.others[set_.model().actuators[index(other)].name] = set_.load(motion).angleOf(other);
-    }
-    const auto own = changingLoads(set_.effectsWith({}, set_.motions()[motion]));
-    if (keyOf(motion, own) == keyOf(motion, changing)) return load;
-    const sim::JointLoad before = smooth(motion, own), after = smooth(motion, changing);
-    for (auto field : {&sim::JointLoad::inertia, &sim::JointLoad::torque,
-                       &sim::JointLoad::reference, &sim::JointLoad::slope}) {
-      std::vector<double> change = after.*field;
-      for (std::size_t k = 0; k < change.size(); ++k) change[k] -= (before.*field)[k];
-      const Eigen::VectorXd fine = spreadOut(change, load.per_row);
-      for (std::size_t i = 0; i < (load.*field).size(); ++i) {
-        (load.*field)[i] += fine[static_cast<Eigen::Index>(i)];
-      }
-    }
-    const Eigen::VectorXd whole = spreadOut(after.inertia, load.per_row);
-    for (std::size_t i = 0; i < load.inertia.size(); ++i) {
-      const double least = kLeastOfInertia * whole[static_cast<Eigen::Index>(i)];
-      load.inertia[i] = std::max(load.inertia[i], least);
-    }
-    return load;
-  }
-
-  sim::JointLoad smooth(std::size_t motion, const std::vector<EffectSetting>& effects) const {
-    return calcLoadTorque(set_.model(), effects, set_.measured(motion), joint_,
-                          set_.options().bandwidth, set_.catalogue())
-        .load;
-  }
-
-  const RigSet& set_;
-  Joint joint_;
-  std::vector<Joint> others_;  // that limit this one
-  Memo<sim::JointLoad> memo_;
-};
-
 RigSimulator::RigSimulator(std::shared_ptr<const RigSet> set, Joint joint)
     : set_(std::move(set)),
       joint_(joint),
       step_(set_->rigStep()),
-      loads_(std::make_shared<Loads>(*set_, joint)) {
+      world_step_(set_->worldStep()),
+      loads_(std::make_unique<LimbLoads>(*set_, joint, world_step_)) {
   for (const GriddedMotion& motion : set_->motions()) {
     measured_.push_back(measuredOf(motion));
     orders_.push_back({motion.runs.front().command.at(joint),
@@ -159,9 +65,10 @@ RigSimulator::RigSimulator(const RigSimulator& fine, Duration step)
     : set_(fine.set_),
       joint_(fine.joint_),
       step_(step),
+      world_step_(step),
       measured_(fine.measured_),
       orders_(fine.orders_),
-      loads_(fine.loads_) {
+      loads_(std::make_unique<LimbLoads>(*set_, joint_, world_step_)) {
   addRigs();
 }
 
@@ -206,7 +113,7 @@ Eigen::MatrixXd RigSimulator::run(const std::vector<EffectSetting>& causes, std:
   chance.torque_sd = noise.torque_sd;
   if (noise.torque_time > 0) chance.torque_time = noise.torque_time;
   const double most = 0.9 * set_->options().settle;
-  chance.lead = (toSeconds(step_) - set_->options().world_step) / 2;
+  chance.lead = (toSeconds(step_) - toSeconds(world_step_)) / 2;
   chance.start = std::clamp(noise.start_sd * Random(chance.stream, "start").normal(), -most, most);
   const sim::JointSignals signals =
       rigs_[motion].run(effects, orders_[motion], *load, chance,

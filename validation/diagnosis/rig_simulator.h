@@ -7,7 +7,7 @@
 
 #include "validation/diagnosis/grid.h"
 #include "validation/diagnosis/joint_simulator.h"
-#include "validation/diagnosis/whole_load.h"
+#include "validation/diagnosis/limb_loads.h"
 
 namespace nao::validation {
 
@@ -41,13 +41,13 @@ class RigSet {
   const std::vector<Joint>& joints() const { return joints_; }
   /// Mean of the repeats of a motion, all joints; those not measured hold their start posture.
   const MeasuredMotion& measured(std::size_t motion) const { return measured_[motion]; }
-  /// The loads of all joints in a motion, with the model's own effects.
-  const WholeLoad& load(std::size_t motion) const { return loads_[motion]; }
   /// The effects of the model with `causes` on top, and the load that was tied on for this motion.
   std::vector<EffectSetting> effectsWith(const std::vector<EffectSetting>& causes,
                                          const GriddedMotion& motion) const;
   /// The time between rows, of whole rig steps, whole World steps and whole values of the loads.
   Duration row() const { return model_->cycle; }
+  int perRow() const { return per_row_; }  // values of the loads
+  Duration worldStep() const { return world_step_; }
   Duration rigStep() const { return rig_step_; }
   Duration coarseStep() const { return coarse_step_; }
 
@@ -56,7 +56,6 @@ class RigSet {
   void findJoints();
   std::optional<JointArray<double>> poseOf(const GriddedMotion& motion) const;
   MeasuredMotion meanOf(const GriddedMotion& motion) const;
-  WholeLoad loadOf(std::size_t motion) const;
 
   std::shared_ptr<RobotModel> model_;  // its cycle is a row
   RigOptions options_;
@@ -64,12 +63,11 @@ class RigSet {
   Duration world_step_{}, rig_step_{}, coarse_step_{};
   std::vector<GriddedMotion> motions_;
   std::vector<MeasuredMotion> measured_;
-  std::vector<WholeLoad> loads_;
   std::vector<Joint> joints_;
 };
 
-/// One joint of a set on a rig: the joint level's simulator. Masses, gravity and tilt are causes
-/// too: loads are then calculated anew, once per list of causes.
+/// One joint of a set on a rig: the joint level's simulator. Loads are calculated anew for every
+/// list of causes.
 class RigSimulator final : public JointSimulator {
  public:
   RigSimulator(std::shared_ptr<const RigSet> set, Joint joint);
@@ -84,18 +82,17 @@ class RigSimulator final : public JointSimulator {
   const JointSimulator& coarse() const override { return coarse_ ? *coarse_ : *this; }
 
  private:
-  class Loads;
   RigSimulator(const RigSimulator& fine, Duration step);
   void addRigs();
   JointMotion measuredOf(const GriddedMotion& motion) const;
 
   std::shared_ptr<const RigSet> set_;
   Joint joint_;
-  Duration step_;
+  Duration step_, world_step_;
   std::vector<JointMotion> measured_;
   std::vector<sim::JointRig> rigs_;       // by motion
   std::vector<sim::JointOrders> orders_;  // by motion
-  std::shared_ptr<Loads> loads_;          // of both paces
+  std::unique_ptr<LimbLoads> loads_;
   std::unique_ptr<RigSimulator> coarse_;
 };
 

@@ -1,4 +1,4 @@
-#include "validation/diagnosis/load_torque.h"
+#include "validation/diagnosis/joint_load.h"
 
 #include <gtest/gtest.h>
 
@@ -64,6 +64,15 @@ RecordingPlan sway(const std::shared_ptr<const RobotModel>& model) {
   return plan;
 }
 
+std::vector<JointCommand> ordersOf(const RecordingPlan& plan, const RobotModel& model) {
+  std::vector<JointCommand> orders;
+  const double cycle = toSeconds(model.cycle);
+  for (double t = 0; t <= plan.motions[0].duration + cycle / 2; t += cycle) {
+    orders.push_back({plan.motions[0].angles(t), JointArray<double>(model.jointCount(), 1.0)});
+  }
+  return orders;
+}
+
 // In a world with ideal drives a motor's torque is what its rotor and its load take.
 void expectMotorTorque(const char* name, double tolerance,
                        const std::vector<EffectSetting>& extra = {}) {
@@ -75,7 +84,11 @@ void expectMotorTorque(const char* name, double tolerance,
   plan.extra = extra;
   const LogSet set = recordSimulated(plan);
   const MeasuredMotion measured = measuredOf(set, *model);
-  const LoadTorque found = calcLoadTorque(*model, extra, measured, joint, 30);
+  LoadOptions options;
+  options.per_row = 1;
+  options.bandwidth = 30;
+  const sim::JointLoad found =
+      calcJointLoad(*model, extra, ordersOf(plan, *model), measured, joint, options);
   const Actuator& motor = model->actuators[index(joint)];
   const double ampere_per_torque = motor.no_load_speed / (21.6 * motor.efficiency);
   const Column& current = *set.runs[0].find("cur." + motor.name);
@@ -84,7 +97,7 @@ void expectMotorTorque(const char* name, double tolerance,
   double squares = 0, weight = 0;
   for (std::size_t k = 400; k + 400 < current.size(); ++k) {
     const double asked =
-        found.load.torque[k] + (found.load.inertia[k] + motor.rotor_inertia) * own.acceleration[k];
+        found.torque[k] + (found.inertia[k] + motor.rotor_inertia) * own.acceleration[k];
     squares += std::pow(std::abs(asked) - current[k] / ampere_per_torque, 2);
     weight += asked * asked;
   }
@@ -94,31 +107,34 @@ void expectMotorTorque(const char* name, double tolerance,
 // Commands in stairs of 0.25 ms shake the motor a little.
 constexpr double kTorqueTolerance = 0.02;  // of its RMS
 
-TEST(LoadTorque, IsWhatTheMotorGives) {
+TEST(JointLoad, IsWhatTheMotorGives) {
   for (const char* name : {"HeadPitch", "LShoulderPitch", "LHipPitch", "RKneePitch"}) {
     expectMotorTorque(name, kTorqueTolerance);
   }
 }
 
-TEST(LoadTorque, TurnsBothHipsOfTheMotorTheyShare) {
+TEST(JointLoad, TurnsBothHipsOfTheMotorTheyShare) {
   expectMotorTorque("LHipYawPitch", kTorqueTolerance);
 }
 
-TEST(LoadTorque, KnowsOtherMassesAndATiltedBase) {
+TEST(JointLoad, KnowsOtherMassesAndATiltedBase) {
   expectMotorTorque(
       "LHipPitch", kTorqueTolerance,
       {{"link_mass", {{"part", 0.5}}, {}, ""}, {"ground_tilt", {{"x", 0.0}, {"y", 0.3}}, {}, ""}});
 }
 
-TEST(LoadTorque, OfAStillRobotIsGravityAndItsSlope) {
+TEST(JointLoad, OfAStillRobotIsGravityAndItsSlope) {
   auto model = nao::test::pendulum(0.6, 0.15);
-  MeasuredMotion still{0.01, Eigen::MatrixXd::Constant(50, 1, 0.4), {}};
-  const LoadTorque found = calcLoadTorque(*model, {}, still, toJoint(0));
+  const MeasuredMotion still{0.01, Eigen::MatrixXd::Constant(50, 1, 0.4)};
+  model->cycle = std::chrono::milliseconds(10);
+  const std::vector<JointCommand> orders(50,
+                                         {JointArray<double>(1, 0.4), JointArray<double>(1, 1.0)});
+  const sim::JointLoad found = calcJointLoad(*model, {}, orders, still, toJoint(0), {});
   const double weight = 0.6 * 9.80665 * 0.15;
-  EXPECT_NEAR(found.load.torque[25], -weight * std::cos(0.4), 1e-9);
-  EXPECT_NEAR(found.load.slope[25], weight * std::sin(0.4), 1e-6);
-  EXPECT_NEAR(found.load.inertia[25], 0.6 * 0.15 * 0.15 + 1e-6, 1e-12);
-  EXPECT_NEAR(found.load.reference[25], 0.4, 1e-12);
+  EXPECT_NEAR(found.torque[25], -weight * std::cos(0.4), 1e-9);
+  EXPECT_NEAR(found.slope[25], weight * std::sin(0.4), 1e-6);
+  EXPECT_NEAR(found.inertia[25], 0.6 * 0.15 * 0.15 + 1e-6, 1e-12);
+  EXPECT_NEAR(found.reference[25], 0.4, 1e-12);
 }
 
 }  // namespace

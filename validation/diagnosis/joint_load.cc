@@ -1,4 +1,4 @@
-#include "validation/diagnosis/whole_load.h"
+#include "validation/diagnosis/joint_load.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ std::vector<double> listOf(const VectorXd& column) {
 // Adds to the simulated motion what was measured beside it. Joints that nobody measured move as
 // they are simulated: they did not rest while their neighbours pulled at them.
 void correct(const RobotModel& model, const MeasuredMotion& measured,
-             const std::vector<double>& delays, const WholeLoadOptions& options,
+             const std::vector<double>& delays, const LoadOptions& options,
              sim::HingeMotion& motion, MatrixXd& acceleration) {
   for (Index j = 0; j < measured.angle.cols(); ++j) {
     const std::vector<int>& hinges = model.actuators[static_cast<std::size_t>(j)].coordinates;
@@ -64,62 +64,39 @@ VectorXd spreadOut(const std::vector<double>& rows, int per_row) {
   return values;
 }
 
-sim::JointLoad WholeLoad::of(Joint joint) const {
-  const auto j = static_cast<Index>(index(joint));
-  sim::JointLoad load;
-  load.per_row = per_row;
-  load.torque = listOf(torque.col(j));
-  load.inertia = listOf(inertia.col(j));
-  load.reference = listOf(angle.col(j));
-  load.slope = listOf(slope.col(j));
-  return load;
-}
-
-std::vector<double> WholeLoad::angleOf(Joint joint) const {
-  return listOf(angle.col(static_cast<Index>(index(joint))));
-}
-
-WholeLoad calcWholeLoad(const RobotModel& model, const std::vector<EffectSetting>& effects,
-                        const std::vector<JointCommand>& orders, const MeasuredMotion& measured,
-                        const WholeLoadOptions& options, const sim::EffectCatalogue& catalogue) {
+sim::JointLoad calcJointLoad(const RobotModel& model, const std::vector<EffectSetting>& effects,
+                             const std::vector<JointCommand>& orders,
+                             const MeasuredMotion& measured, Joint joint,
+                             const LoadOptions& options, const sim::EffectCatalogue& catalogue) {
   sim::HingeMotion motion = sim::runHinges(model, effects, orders, options.settle, options.step,
                                            options.per_row, 1, catalogue);
   MatrixXd acceleration = accelerationsOf(motion);
   correct(model, measured, reportDelays(model, effects, catalogue), options, motion, acceleration);
   const sim::BodyPlan plan = planOf(model, effects, catalogue);
   InverseDynamics dynamics(plan);
-  const auto joints = static_cast<Index>(model.jointCount());
+  const int own = model.actuators[index(joint)].coordinates.at(0);
   const Index values = motion.q.rows();
-  WholeLoad whole{options.per_row, MatrixXd::Zero(values, joints), MatrixXd::Zero(values, joints),
-                  MatrixXd::Zero(values, joints), MatrixXd::Zero(values, joints)};
-  MatrixXd slope_rows = MatrixXd::Zero((values - 1) / options.per_row + 1, joints);
+  VectorXd inertia(values), torque(values);
+  std::vector<double> slope;
   for (Index i = 0; i < values; ++i) {
     const VectorXd q = motion.q.row(i), u = motion.u.row(i), a = acceleration.row(i);
     dynamics.move(q, u);
-    const VectorXd torque = dynamics.torque(a);
-    for (Index j = 0; j < joints; ++j) {
-      const Joint joint = toJoint(static_cast<std::size_t>(j));
-      const std::vector<int>& hinges = model.actuators[index(joint)].coordinates;
-      if (hinges.empty()) continue;
-      whole.inertia(i, j) = dynamics.inertia(joint);
-      whole.torque(i, j) = dynamics.share(joint, torque) - whole.inertia(i, j) * a[hinges[0]];
-      whole.angle(i, j) = q[hinges[0]];
-    }
-    if (i % options.per_row != 0) continue;
-    for (Index j = 0; j < joints; ++j) {
-      const Joint joint = toJoint(static_cast<std::size_t>(j));
-      if (model.actuators[index(joint)].coordinates.empty()) continue;
-      slope_rows(i / options.per_row, j) = dynamics.slope(joint, q, u);
-    }
+    inertia[i] = dynamics.inertia(joint);
+    torque[i] = dynamics.share(joint, dynamics.torque(a)) - inertia[i] * a[own];
+    if (i % options.per_row == 0) slope.push_back(dynamics.slope(joint, q, u));
   }
-  for (Index j = 0; j < joints; ++j) {
-    const std::vector<int>& hinges = model.actuators[static_cast<std::size_t>(j)].coordinates;
-    if (hinges.empty()) continue;
-    moveYieldToInertia(motion.dt, acceleration.col(hinges[0]), whole.torque.col(j),
-                       whole.inertia.col(j));
-    whole.slope.col(j) = spreadOut(listOf(slope_rows.col(j)), options.per_row);
+  moveYieldToInertia(motion.dt, acceleration.col(own), torque, inertia);
+  sim::JointLoad load;
+  load.per_row = options.per_row;
+  load.inertia = listOf(inertia);
+  load.torque = listOf(torque);
+  load.reference = listOf(motion.q.col(own));
+  load.slope = listOf(spreadOut(slope, options.per_row));
+  for (const Joint other : options.others) {
+    const Actuator& motor = model.actuators[index(other)];
+    load.others[motor.name] = listOf(motion.q.col(motor.coordinates.at(0)));
   }
-  return whole;
+  return load;
 }
 
 }  // namespace nao::validation
