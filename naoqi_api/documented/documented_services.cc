@@ -113,6 +113,13 @@ std::vector<DocumentedService> documentedServices() {
   return services;
 }
 
+DocumentedService documentedService(const std::string& name) {
+  for (DocumentedService& service : documentedServices()) {
+    if (service.name == name) return std::move(service);
+  }
+  return {name, {}};
+}
+
 void addDocumented(rpc::ServiceHub& hub) {
   for (const DocumentedService& documented : documentedServices()) {
     if (const auto service = hub.findService(documented.name)) {

@@ -22,6 +22,9 @@ struct DocumentedService {
 /// Every service and method that any NAOqi from 1.12 to 2.8 is known to have.
 std::vector<DocumentedService> documentedServices();
 
+/// The one of that name; without methods if there is none.
+DocumentedService documentedService(const std::string& name);
+
 /// Completes a hub: services that it does not have, and methods that its services do not have, are
 /// there afterwards and answer that they are not simulated.
 void addDocumented(rpc::ServiceHub& hub);

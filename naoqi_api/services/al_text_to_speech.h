@@ -23,8 +23,10 @@ class AlTextToSpeech {
   /// The service; this object must outlive it.
   rpc::Service describe();
 
- private:
+  /// Ends when the text has been said.
   rpc::Pending<void> say(const std::string& text);
+
+ private:
   rpc::Pending<void> sayIn(const std::string& text, const std::string& language);
   void stopAll() { queue_.stopAll(); }
 

@@ -34,25 +34,44 @@ T withNaoqiError(T result, const std::string& /*where*/) {
   return result;
 }
 
-}  // namespace detail
-
-/// As Service::method, but errors name the method and come in NaoQi's shape.
-template <class C, class R, class... P, class... Arguments>
-rpc::Service& addMethod(rpc::Service& service, const std::string& name, C* self,
-                        R (C::*function)(P...), std::string meaning, Arguments... arguments) {
+template <class R, class... P, class... Arguments>
+rpc::Service& addGuarded(rpc::Service& service, const std::string& name,
+                         std::function<R(P...)> function, std::string meaning,
+                         Arguments... arguments) {
   const std::string where = service.name() + "::" + name;
-  std::function<R(P...)> guarded = [self, function, where](P... value) -> R {
+  std::function<R(P...)> guarded = [function = std::move(function), where](P... value) -> R {
     try {
       if constexpr (std::is_void_v<R>) {
-        (self->*function)(value...);
+        function(value...);
       } else {
-        return detail::withNaoqiError((self->*function)(value...), where);
+        return withNaoqiError(function(value...), where);
       }
     } catch (const rpc::CallError& error) {
       throw rpc::CallError(naoqiError(where, error.what()));
     }
   };
   return service.method(name, std::move(guarded), std::move(meaning), std::move(arguments)...);
+}
+
+}  // namespace detail
+
+/// As Service::method, but errors name the method and come in NaoQi's shape.
+template <class C, class R, class... P, class... Arguments>
+rpc::Service& addMethod(rpc::Service& service, const std::string& name, C* self,
+                        R (C::*function)(P...), std::string meaning, Arguments... arguments) {
+  std::function<R(P...)> call = [self, function](P... value) -> R {
+    return (self->*function)(value...);
+  };
+  return detail::addGuarded(service, name, std::move(call), std::move(meaning),
+                            std::move(arguments)...);
+}
+
+/// The same for a lambda.
+template <class F, class... Arguments>
+rpc::Service& addFunction(rpc::Service& service, const std::string& name, F function,
+                          std::string meaning, Arguments... arguments) {
+  return detail::addGuarded(service, name, std::function(std::move(function)), std::move(meaning),
+                            std::move(arguments)...);
 }
 
 }  // namespace nao::services

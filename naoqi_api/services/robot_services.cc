@@ -8,6 +8,10 @@
 #include "naoqi_api/services/al_frame_manager.h"
 #include "naoqi_api/services/al_motion.h"
 #include "naoqi_api/services/al_robot_posture.h"
+#include "naoqi_api/services/audio_services.h"
+#include "naoqi_api/services/board_services.h"
+#include "naoqi_api/services/idle_extractors.h"
+#include "naoqi_api/services/life_services.h"
 
 namespace nao::services {
 
@@ -59,6 +63,11 @@ void RobotServices::addTo(rpc::ServiceHub& hub) {
   hub.add(makeAlBehaviorManager(behaviors_));
   hub.add(makeAlAnimationPlayer(behaviors_));
   hub.add(video_.describe());
+  for (const auto& service : makeBoardServices(context_)) hub.add(service);
+  for (const auto& service : makeLifeServices(context_)) hub.add(service);
+  const Say say = [this](const std::string& text) { return speech_.say(text); };
+  for (const auto& service : makeAudioServices(context_, say)) hub.add(service);
+  for (const auto& service : makeIdleExtractors(context_)) hub.add(service);
   addDocumented(hub);
 }
 

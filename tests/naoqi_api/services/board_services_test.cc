@@ -1,0 +1,103 @@
+#include "naoqi_api/services/board_services.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/naoqi_api/services/services_bench.h"
+
+namespace nao::services {
+namespace {
+
+using rpc::Value;
+using BoardServices = ServicesBench;
+
+TEST_F(BoardServices, AnExtractorKnowsItsSubscribers) {
+  call("ALSonar", "subscribe", {"me", 200, 0.5F});
+  call("ALSonar", "subscribe", {"you"});
+  EXPECT_EQ(call("ALSonar", "getMyPeriod", {"me"}), Value(200));
+  EXPECT_EQ(call("ALSonar", "getCurrentPeriod"), Value(30));
+  EXPECT_EQ(call("ALSonar", "getSubscribersInfo").findItems()->size(), 2U);
+  call("ALSonar", "unsubscribe", {"you"});
+  EXPECT_EQ(call("ALSonar", "getCurrentPeriod"), Value(200));
+  EXPECT_EQ(call("ALSonar", "unsubscribe", {"you"}),
+            Value("! \tALSonar::unsubscribe\n\tyou has not subscribed to ALSonar"));
+}
+
+TEST_F(BoardServices, TheSonarTellsWhatIsNearWhileSomebodySubscribes) {
+  bench_.frame.sonar[0][0] = 0.3;
+  bench_.frame.sonar[1][0] = 1.5;
+  run(0.5);
+  EXPECT_TRUE(data("SonarLeftDetected").isVoid());
+  call("ALSonar", "subscribe", {"me"});
+  run(0.5);
+  EXPECT_FLOAT_EQ(static_cast<float>(number(data("SonarLeftDetected"))), 0.3F);
+  EXPECT_FLOAT_EQ(static_cast<float>(number(data("SonarRightNothingDetected"))), 1.5F);
+  EXPECT_TRUE(data("SonarRightDetected").isVoid());
+}
+
+TEST_F(BoardServices, TouchChangedTellsWhatChanged) {
+  bench_.frame.touch.head[1] = true;
+  run(0.1);
+  EXPECT_EQ(data("TouchChanged"), Value::list({Value::list({"Head/Touch/Middle", true})}));
+  bench_.frame.touch.head[1] = false;
+  run(0.1);
+  EXPECT_EQ(data("TouchChanged"), Value::list({Value::list({"Head/Touch/Middle", false})}));
+}
+
+TEST_F(BoardServices, TheBatteryIsTheRobots) {
+  run(1.2);
+  bench_.frame.battery.charge = 0.42;
+  run(1.5);
+  EXPECT_EQ(call("ALBattery", "getBatteryCharge"), Value(42));
+  EXPECT_EQ(data("BatteryChargeChanged"), Value(42));
+}
+
+TEST_F(BoardServices, HotMotorsAreNamed) {
+  EXPECT_EQ(call("ALBodyTemperature", "getTemperatureDiagnosis"), Value::list({}));
+  bench_.frame.overheating[*bench_.model->findJoint("LKneePitch")] = 2;
+  run(1.5);
+  const Value hot = Value::list({2, Value::list({"LKneePitch"})});
+  EXPECT_EQ(call("ALBodyTemperature", "getTemperatureDiagnosis"), hot);
+  EXPECT_EQ(data("TemperatureDiagnosisErrorChanged"), hot);
+}
+
+TEST_F(BoardServices, WhoSeesNothingSaysSoOnceItIsAsked) {
+  call("ALFaceDetection", "subscribe", {"me", 500, 0.0F});
+  EXPECT_EQ(data("FaceDetected"), Value::list({}));
+  EXPECT_EQ(call("ALLandMarkDetection", "isProcessing"), Value(false));
+  EXPECT_EQ(call("ALFaceDetection", "isProcessing"), Value(true));
+  call("ALFaceDetection", "setResolution", {2});
+  EXPECT_EQ(call("ALFaceDetection", "getResolution"), Value(2));
+}
+
+TEST_F(BoardServices, LifeChangesItsStateByItsRules) {
+  EXPECT_EQ(call("ALAutonomousLife", "getState"), Value("disabled"));
+  call("ALAutonomousLife", "setState", {"solitary"});
+  EXPECT_EQ(data("AutonomousLife/State"), Value("solitary"));
+  EXPECT_EQ(call("ALAutonomousLife", "setState", {"interactive"}).findText()->substr(0, 1), "!");
+  EXPECT_EQ(call("ALAutonomousLife", "setState", {"asleep"}).findText()->substr(0, 1), "!");
+  EXPECT_EQ(call("ALAutonomousLife", "getStateHistory").findItems()->size(), 2U);
+}
+
+TEST_F(BoardServices, ASoundTakesItsTimeAndCanBeStopped) {
+  const double begin = now();
+  call("ALAudioPlayer", "playFile", {"/home/nao/song.mp3"});
+  EXPECT_NEAR(now() - begin, 3, 0.1);  // a file that is not there
+  EXPECT_EQ(log_.back(), "plays: /home/nao/song.mp3");
+
+  const Value id = call("ALAudioPlayer", "loadFile", {"/home/nao/song.mp3"});
+  const auto playing = start("ALAudioPlayer", "playInLoop", {id});
+  run(4);
+  EXPECT_FALSE(playing.isDone());
+  EXPECT_NEAR(number(call("ALAudioPlayer", "getCurrentPosition", {id})), 1, 0.1);
+  call("ALAudioPlayer", "stopAll");
+  EXPECT_TRUE(playing.isDone());
+}
+
+TEST_F(BoardServices, AnimatedSpeechSaysItsWords) {
+  call("ALAnimatedSpeech", "say", {"Hello ^start(animations/Hey_1) you"});
+  EXPECT_EQ(log_.back(), "says: Hello  you");
+  EXPECT_EQ(data("ALAnimatedSpeech/EndOfAnimatedSpeech"), Value(1));
+}
+
+}  // namespace
+}  // namespace nao::services
