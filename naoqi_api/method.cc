@@ -1,6 +1,7 @@
 #include "naoqi_api/method.h"
 
 #include "naoqi_api/call_error.h"
+#include "naoqi_api/fits.h"
 
 namespace nao::rpc {
 namespace {
@@ -25,6 +26,7 @@ std::string withSelf(const Signature& parameters) {
 }
 
 std::vector<Value> convertArguments(const Signature& parameters, const std::vector<Value>& given) {
+  if (parameters.is('m')) return given;  // a client's method that takes anything
   const auto& types = parameters.children();
   if (given.size() != types.size()) {
     throw CallError("Argument count mismatch, expected " + std::to_string(types.size() + 1) +
@@ -45,10 +47,24 @@ std::vector<Value> convertArguments(const Signature& parameters, const std::vect
 
 }  // namespace
 
+namespace {
+
+bool allFit(const Signature& parameters, const std::vector<Value>& given) {
+  const auto& types = parameters.children();
+  if (given.size() != types.size()) return false;
+  for (std::size_t i = 0; i < types.size(); ++i) {
+    if (!fits(given[i], types[i])) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 Pending<Value> Method::invoke(const Caller& caller,
                               const std::vector<Value>& arguments_given) const {
   try {
-    return call(caller, convertArguments(Signature::of(parameters_signature), arguments_given));
+    if (allFit(parameters, arguments_given)) return call(caller, arguments_given);
+    return call(caller, convertArguments(parameters, arguments_given));
   } catch (const CallError& error) {
     Pending<Value> failed;
     failed.fail(error.what());

@@ -55,6 +55,8 @@ struct Method {
   std::string return_meaning;
   Answer answer = Answer::Done;
   Handler call;
+  Signature parameters = Signature::of("()");  // of the texts above; Service::add() sets them
+  Signature returns = Signature::of("v");
 
   /// Converts the arguments as a libqi server would and runs the method. Every CallError becomes
   /// a failed result; nothing is thrown.

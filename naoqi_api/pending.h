@@ -31,6 +31,18 @@ class Pending {
 
   Pending() = default;
 
+  /// A call that has ended already.
+  static Pending done(Stored value = {}) {
+    Pending pending;
+    pending.resolve(std::move(value));
+    return pending;
+  }
+  static Pending failed(std::string text) {
+    Pending pending;
+    pending.fail(std::move(text));
+    return pending;
+  }
+
   /// Ends the call with its value; Pending<void>: resolve(). Later ends are ignored.
   void resolve(Stored value = {}) const { end({std::move(value), {}}); }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,9 @@ class RemoteObject {
 
   /// Calls by name; an overload is chosen by the number of its arguments.
   virtual Pending<Value> call(std::string_view name, const std::vector<Value>& arguments) = 0;
+
+  /// What it offers, as a service of ours whose methods, signals and properties are the client's.
+  virtual Pending<std::shared_ptr<Service>> offer() = 0;
 
   /// False once its client has gone.
   virtual bool isReachable() const = 0;

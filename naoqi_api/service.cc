@@ -22,9 +22,12 @@ int distance(const Value& given, const Signature& parameter) {
   return to == 'b' ? 8 : 10;
 }
 
+constexpr int kAnything = 1000;  // further than any list of arguments of its own
+
 // The sum over all arguments, or nothing if they can not be converted.
 std::optional<int> distance(const Method& method, const std::vector<Value>& arguments) {
-  const Signature parameters = Signature::of(method.parameters_signature);
+  const Signature& parameters = method.parameters;
+  if (parameters.is('m')) return kAnything;
   if (!convert(Value::tuple(arguments), parameters, Bend::Declared)) return std::nullopt;
   int sum = 0;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -43,11 +46,29 @@ Service& Service::add(Method method) {
     NAO_CHECK(known.name != method.name ||
               known.parameters_signature != method.parameters_signature);
   }
-  NAO_CHECK(Signature::of(method.parameters_signature).is('('));
-  Signature::of(method.return_signature);
+  method.parameters = Signature::of(method.parameters_signature);
+  method.returns = Signature::of(method.return_signature);
+  NAO_CHECK(method.parameters.is('('));
   method.uid = takeUid();
   methods_.emplace(method.uid, std::move(method));
   return *this;
+}
+
+void Service::insert(Method method) {
+  method.parameters = Signature::of(method.parameters_signature);
+  method.returns = Signature::of(method.return_signature);
+  const std::uint32_t uid = method.uid;
+  methods_.emplace(uid, std::move(method));
+}
+
+void Service::insert(SignalMember signal) {
+  const std::uint32_t uid = signal.uid;
+  signals_.emplace(uid, std::move(signal));
+}
+
+void Service::insert(PropertyMember property) {
+  const std::uint32_t uid = property.uid;
+  properties_.emplace(uid, std::move(property));
 }
 
 Service& Service::addSignal(std::string name, Emitter emitter) {
@@ -103,7 +124,7 @@ Service& Service::at(std::uint32_t uid) {
 Service& Service::returning(std::string signature, std::string meaning) {
   const auto method = methods_.find(last_uid_);
   NAO_CHECK(method != methods_.end());
-  Signature::of(signature);
+  method->second.returns = Signature::of(signature);
   method->second.return_signature = std::move(signature);
   method->second.return_meaning = std::move(meaning);
   return *this;
@@ -144,6 +165,14 @@ const Emitter* Service::findSignal(std::uint32_t uid) const {
   return property ? &property->emitter : nullptr;
 }
 
+const Emitter* Service::findSignal(std::string_view name) const {
+  for (const auto& [uid, signal] : signals_) {
+    if (signal.name == name) return &signal.emitter;
+  }
+  const PropertyMember* property = findProperty(name);
+  return property ? &property->emitter : nullptr;
+}
+
 const PropertyMember* Service::findProperty(std::uint32_t uid) const {
   const auto found = properties_.find(uid);
   return found == properties_.end() ? nullptr : &found->second;
@@ -161,8 +190,9 @@ const Method* Service::findMethod(std::string_view name,
   const Method* best = nullptr;
   std::optional<int> least;
   for (const auto& [uid, method] : methods_) {
-    const std::size_t count = Signature::of(method.parameters_signature).children().size();
-    if (method.name != name || count != arguments.size()) continue;
+    if (method.name != name) continue;
+    const bool fits_count = method.parameters.children().size() == arguments.size();
+    if (!fits_count && !method.parameters.is('m')) continue;
     const auto away = distance(method, arguments);
     if (!best || (away && (!least || *away < *least))) {
       best = &method;

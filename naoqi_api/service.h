@@ -31,8 +31,8 @@ struct PropertyMember {
   std::string name;
   std::string signature;
   Emitter emitter;
-  std::function<Value()> get;
-  std::function<void(const Value&)> set;  // of exactly that signature
+  std::function<Pending<Value>()> get;
+  std::function<Pending<void>(const Value&)> set;  // of exactly that signature
 };
 
 /// What a service, or an object that a service hands out, offers. Built once from typed C++ member
@@ -83,8 +83,11 @@ class Service {
   Service& property(std::string name, const Property<T>& property) {
     return addProperty(
         {0, std::move(name), signatureOf<T>(), property.emitter(),
-         [property] { return toValue(property.get()); },
-         [property](const Value& value) { property.set(ValueType<T>::read(value)); }});
+         [property] { return Pending<Value>::done(toValue(property.get())); },
+         [property](const Value& value) {
+           property.set(ValueType<T>::read(value));
+           return Pending<void>::done();
+         }});
   }
 
   /// Gives the member declared last this uid instead of the next free one. A member that had got
@@ -110,6 +113,12 @@ class Service {
   Service& addSignal(std::string name, Emitter emitter);
   Service& addProperty(PropertyMember property);
 
+  /// Takes over members as they are, uids and signatures included: what a client offers. The
+  /// method's name and signature may be there already; its uid must not.
+  void insert(Method method);
+  void insert(SignalMember signal);
+  void insert(PropertyMember property);
+
   const std::string& name() const { return name_; }
   const std::string& meaning() const { return meaning_; }
   const std::map<std::uint32_t, Method>& methods() const { return methods_; }
@@ -120,6 +129,7 @@ class Service {
   /// The overload with as many arguments that fits these best, else the first with as many.
   const Method* findMethod(std::string_view name, const std::vector<Value>& arguments) const;
   const Emitter* findSignal(std::uint32_t uid) const;  // of a signal or a property
+  const Emitter* findSignal(std::string_view name) const;
   const PropertyMember* findProperty(std::uint32_t uid) const;
   const PropertyMember* findProperty(std::string_view name) const;
 

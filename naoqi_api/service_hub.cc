@@ -98,10 +98,40 @@ std::shared_ptr<RemoteObject> ServiceHub::findRemote(std::string_view name) cons
   return entry && entry->owner ? entry->owner->reach(entry->id) : nullptr;
 }
 
-std::vector<std::string> ServiceHub::relativeEndpoints() const {
+Pending<std::shared_ptr<Service>> ServiceHub::reach(std::uint32_t id) {
+  using Found = Pending<std::shared_ptr<Service>>;
+  const Entry* entry = find(id);
+  if (!entry || !entry->ready) return Found::failed("there is no service of that number");
+  if (entry->service) return Found::done(entry->service);
+  if (entry->offer) return Found::done(entry->offer);
+  const auto remote = entry->owner ? entry->owner->reach(id) : nullptr;
+  if (!remote) return Found::failed("the service can not be reached from here");
+  const auto offered = remote->offer();
+  offered.whenDone([this, id, alive = std::weak_ptr<int>(alive_)](const auto& outcome) {
+    const auto found = alive.expired() ? entries_.end() : entries_.find(id);
+    if (outcome.value && found != entries_.end()) found->second.offer = *outcome.value;
+  });
+  return offered;
+}
+
+namespace {
+
+bool isWithin(const std::vector<std::string>& some, const std::vector<std::string>& all) {
+  return std::all_of(some.begin(), some.end(), [&](const std::string& one) {
+    return std::find(all.begin(), all.end(), one) != all.end();
+  });
+}
+
+}  // namespace
+
+// Those of all services that are reached where this one is.
+std::vector<std::string> ServiceHub::relativeEndpoints(const Entry& entry) const {
   std::vector<std::string> endpoints;
-  for (const auto& [id, entry] : entries_) {
-    if (entry.service) endpoints.push_back("qi:" + entry.name);
+  for (const auto& [id, other] : entries_) {
+    const bool is_ours = entry.service && other.service;
+    const bool is_beside = entry.owner && other.owner && other.ready &&
+                           isWithin(other.info.endpoints, entry.info.endpoints);
+    if (is_ours || is_beside) endpoints.push_back("qi:" + other.name);
   }
   return endpoints;
 }
@@ -110,10 +140,16 @@ ServiceInfo ServiceHub::infoFor(const Entry& entry, const Session& session) cons
   ServiceInfo info = entry.info;
   info.name = entry.name;
   info.service_id = entry.id;
-  if (!entry.service) return info;
+  if (session.takesRelativeEndpoints()) {
+    const auto relative = relativeEndpoints(entry);
+    info.endpoints.insert(info.endpoints.begin(), relative.begin(), relative.end());
+  }
+  if (!entry.service) {
+    if (entry.info.endpoints.empty()) info.endpoints.push_back(session.endpoint());  // through us
+    return info;
+  }
   info.machine_id = options_.machine_id;
   info.process_id = options_.process_id;
-  if (session.takesRelativeEndpoints()) info.endpoints = relativeEndpoints();
   info.endpoints.push_back(session.endpoint());
   const bool is_directory = entry.id == 1;
   info.session_id = is_directory ? "0" : options_.machine_id;

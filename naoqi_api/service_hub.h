@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "naoqi_api/credentials.h"
 #include "naoqi_api/personality.h"
 #include "naoqi_api/remote_object.h"
 #include "naoqi_api/service.h"
@@ -23,7 +24,8 @@ struct HubOptions {
   std::uint32_t process_id = 0;
   CallLater call_later;             // for time-outs, in simulated time
   std::function<Duration()> clock;  // NaoQi's clock since its epoch; default: stands at 0
-  std::shared_ptr<Tasks> tasks;     // of the process; default: the hub's own
+  std::shared_ptr<const Credentials> credentials;  // null: every client is let in
+  std::shared_ptr<Tasks> tasks;                    // of the process; default: the hub's own
 };
 
 /// The services behind one listening address (one robot), by number and name, and the directory
@@ -38,6 +40,7 @@ class ServiceHub {
     services::ServiceInfo info;        // of a client's service, as it registered it
     std::shared_ptr<Session> owner;    // the client that registered it
     bool ready = false;                // others do not see it before
+    std::shared_ptr<Service> offer;    // what a client's service offers, once somebody asked
   };
 
   explicit ServiceHub(HubOptions options);
@@ -61,6 +64,10 @@ class ServiceHub {
   /// A service that a client registered, such as a module with callbacks; null if there is none
   /// of that name. Its calls are made on that client's connection.
   std::shared_ptr<RemoteObject> findRemote(std::string_view name) const;
+  /// The service of that number, be it the program's or a client's, to be called from here. What a
+  /// client's offers is asked first; the result fails if it is not there or can not be reached.
+  Pending<std::shared_ptr<Service>> reach(std::uint32_t id);
+
   const std::map<std::uint32_t, Entry>& entries() const { return entries_; }
 
   /// What the directory tells `session` about an entry.
@@ -72,6 +79,9 @@ class ServiceHub {
   const HubOptions& options() const { return options_; }
   Tasks& tasks() { return *options_.tasks; }
 
+  /// A number for a call that is traced, never used before; not 0.
+  std::uint32_t takeTraceId() { return next_trace_id_++; }
+
   /// A session number that was never used before.
   std::uint64_t takeSessionId() { return next_session_id_++; }
 
@@ -79,12 +89,13 @@ class ServiceHub {
   static constexpr std::size_t kMostPerClient = 256;
 
   std::uint32_t insert(Entry entry);
-  std::vector<std::string> relativeEndpoints() const;
+  std::vector<std::string> relativeEndpoints(const Entry& entry) const;
 
   HubOptions options_;
   std::map<std::uint32_t, Entry> entries_;
   std::uint32_t next_id_ = 1;
   std::uint64_t next_session_id_ = 1;
+  std::uint32_t next_trace_id_ = 1;
   Signal<std::uint32_t, std::string> added_;
   Signal<std::uint32_t, std::string> removed_;
   std::shared_ptr<int> alive_ = std::make_shared<int>(0);

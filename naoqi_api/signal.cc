@@ -25,6 +25,14 @@ void Emitter::disconnect(std::uint64_t link) const {
   if (state_->listeners.erase(link) > 0) tellChange();
 }
 
+std::function<std::optional<Emitter>()> Emitter::weak() const {
+  return [weak = std::weak_ptr<State>(state_)]() -> std::optional<Emitter> {
+    auto state = weak.lock();
+    if (!state) return std::nullopt;
+    return Emitter(std::move(state));
+  };
+}
+
 void Emitter::onListeners(std::function<void(std::size_t)> changed) const {
   state_->changed = std::move(changed);
 }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +33,9 @@ class Emitter {
   void disconnect(std::uint64_t link) const;
   std::size_t listenerCount() const { return state_->listeners.size(); }
 
+  /// The same emitter as long as somebody else keeps it; does not keep it itself.
+  std::function<std::optional<Emitter>()> weak() const;
+
   /// `changed` is told the number of listeners whenever it changes.
   void onListeners(std::function<void(std::size_t)> changed) const;
 
@@ -42,6 +46,7 @@ class Emitter {
     std::uint64_t next_link = 1;
     std::function<void(std::size_t)> changed;
   };
+  explicit Emitter(std::shared_ptr<State> state) : state_(std::move(state)) {}
   void tellChange() const;
 
   std::shared_ptr<State> state_;

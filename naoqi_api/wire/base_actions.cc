@@ -7,6 +7,7 @@ namespace nao::wire {
 namespace {
 
 using rpc::CallError;
+using rpc::Pending;
 using Arguments = std::vector<Value>;
 
 Value registerEvent(const BaseContext& context, const Arguments& arguments) {
@@ -52,7 +53,7 @@ const rpc::PropertyMember& propertyOf(const BaseContext& context, const Value& k
   return *property;
 }
 
-Value setProperty(const BaseContext& context, const Arguments& arguments) {
+Pending<Value> setProperty(const BaseContext& context, const Arguments& arguments) {
   const auto& property = propertyOf(context, arguments[0]);
   const auto fitting =
       rpc::convert(arguments[1], Signature::of(property.signature), rpc::Bend::Declared);
@@ -61,8 +62,12 @@ Value setProperty(const BaseContext& context, const Arguments& arguments) {
                     "', reason: Conversion from " + arguments[1].bare().signature() + " to " +
                     property.signature + " failed");
   }
-  property.set(*fitting);
-  return {};
+  Pending<Value> result;
+  property.set(*fitting).whenDone([result](const auto& outcome) {
+    if (outcome.value) return result.resolve();
+    result.fail(outcome.error.value_or("canceled"));
+  });
+  return result;
 }
 
 Value propertyNames(const rpc::Service& service) {
@@ -76,9 +81,8 @@ Value setFlag(bool& flag, const Value& value) {
   return {};
 }
 
-}  // namespace
-
-Value runBaseAction(const BaseContext& context, const Arguments& arguments) {
+// Those that end at once.
+Value runAtOnce(const BaseContext& context, const Arguments& arguments) {
   rpc::Monitor& monitor = context.service.monitor();
   switch (context.address.action) {
     case base_action::kRegisterEvent:
@@ -90,10 +94,6 @@ Value runBaseAction(const BaseContext& context, const Arguments& arguments) {
       return metaObjectOf(context.service, context.documents_members);
     case base_action::kTerminate:
       return terminate(context);
-    case base_action::kProperty:
-      return propertyOf(context, arguments[0]).get();
-    case base_action::kSetProperty:
-      return setProperty(context, arguments);
     case base_action::kProperties:
       return propertyNames(context.service);
     case base_action::kIsStatsEnabled:
@@ -112,6 +112,19 @@ Value runBaseAction(const BaseContext& context, const Arguments& arguments) {
     default:
       NAO_CHECK(!"a base action");
       return {};
+  }
+}
+
+}  // namespace
+
+Pending<Value> runBaseAction(const BaseContext& context, const Arguments& arguments) {
+  switch (context.address.action) {
+    case base_action::kProperty:
+      return propertyOf(context, arguments[0]).get();
+    case base_action::kSetProperty:
+      return setProperty(context, arguments);
+    default:
+      return Pending<Value>::done(runAtOnce(context, arguments));
   }
 }
 

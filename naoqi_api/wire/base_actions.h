@@ -19,6 +19,6 @@ struct BaseContext {
 
 /// Runs one of the actions below 100 (see wire/metaobject.h), which must exist, with arguments
 /// of its declared types. @throws rpc::CallError
-Value runBaseAction(const BaseContext& context, const std::vector<Value>& arguments);
+rpc::Pending<Value> runBaseAction(const BaseContext& context, const std::vector<Value>& arguments);
 
 }  // namespace nao::wire

@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "naoqi_api/convert.h"
+#include "naoqi_api/wire/bytes.h"
+#include "naoqi_api/wire/metaobject.h"
 
 namespace nao::wire {
 namespace {
@@ -36,7 +38,10 @@ rpc::Pending<Value> ClientCalls::call(const Address& address, const Value& argum
     encode(bytes, arguments, parameters, objects_);
     const std::uint8_t flags = parameters.is('m') ? kFlagDynamic : std::uint8_t{0};
     const auto id = channel_->sendNew(callTo(address, MessageType::Call, std::move(bytes), flags));
-    open_[id] = {result, returns};
+    result.onCancel([weak = weak_from_this(), id] {
+      if (const auto self = weak.lock()) self->cancel(id);
+    });
+    open_[id] = {address, result, returns};
   } catch (const CodecError& error) {
     result.fail(error.what());
   }
@@ -45,6 +50,52 @@ rpc::Pending<Value> ClientCalls::call(const Address& address, const Value& argum
 
 void ClientCalls::post(const Address& address, Bytes arguments) {
   channel_->sendNew(callTo(address, MessageType::Post, std::move(arguments), 0));
+}
+
+void ClientCalls::cancel(std::uint32_t id) {
+  const auto found = open_.find(id);
+  if (found == open_.end()) return;
+  const Open open = std::move(found->second);
+  open_.erase(found);
+  Bytes number;
+  appendNumber(number, id);
+  const Address address{open.address.service, open.address.object, 0};
+  channel_->sendNew(callTo(address, MessageType::Cancel, std::move(number), 0));
+}
+
+void ClientCalls::listen(const Address& signal, const rpc::Emitter& emitter) {
+  const Place place(signal.service, signal.object, signal.action);
+  if (!channel_->isOpen() || heard_.count(place) > 0) return;
+  const std::uint64_t link = (std::uint64_t{signal.action} << 32U) | next_link_++;
+  heard_.emplace(place, Heard{link, emitter});
+  call({signal.service, signal.object, base_action::kRegisterEvent},
+       Value::tuple({signal.service, signal.action, link}), Signature::of("(IIL)"), "L");
+}
+
+void ClientCalls::stopListening(const Address& signal) {
+  const auto found = heard_.find({signal.service, signal.object, signal.action});
+  if (found == heard_.end()) return;
+  const std::uint64_t link = found->second.link;
+  heard_.erase(found);
+  call({signal.service, signal.object, base_action::kUnregisterEvent},
+       Value::tuple({signal.service, signal.action, link}), Signature::of("(IIL)"), "v");
+}
+
+void ClientCalls::takeEvent(const Message& event) {
+  const Address& from = event.address;
+  const auto found = heard_.find({from.service, from.object, from.action});
+  if (found == heard_.end()) return;
+  const rpc::Emitter emitter = found->second.emitter;
+  const auto type = Signature::of(emitter.signature());
+  try {
+    Decoder decoder(event.payload, objects_);
+    const bool dynamic = (event.flags & kFlagDynamic) != 0;
+    const Value arguments = dynamic ? decoder.read("m") : decoder.read(type);
+    const auto fitting = rpc::convert(arguments, type, rpc::Bend::Declared);
+    if (fitting) emitter.emit(*fitting->findItems());
+  } catch (const CodecError&) {
+    return;
+  }
 }
 
 // Callers rely on the type: a dynamic is bent to it.
@@ -73,6 +124,7 @@ void ClientCalls::take(const Message& answer) {
 }
 
 void ClientCalls::failAll() {
+  heard_.clear();
   const auto all = std::exchange(open_, {});
   for (const auto& [id, open] : all) open.result.fail("the client has gone");
 }

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "naoqi_api/remote_object.h"
+#include "naoqi_api/service.h"
 #include "naoqi_api/wire/client_calls.h"
 
 namespace nao::wire {
@@ -17,31 +17,44 @@ namespace nao::wire {
 class ClientObject : public rpc::RemoteObject, public std::enable_shared_from_this<ClientObject> {
  public:
   /// @param metaobject what the client says it offers; see wire/metaobject.h.
-  ClientObject(const Value& metaobject, std::uint32_t service, std::uint32_t object,
-               std::shared_ptr<ClientCalls> calls);
+  static std::shared_ptr<ClientObject> make(const Value& metaobject, const Address& address,
+                                            std::shared_ptr<ClientCalls> calls);
   /// What it offers is asked for at the first call.
-  ClientObject(std::uint32_t service, std::uint32_t object, std::shared_ptr<ClientCalls> calls);
+  ClientObject(const Address& address, std::shared_ptr<ClientCalls> calls);
   ~ClientObject() override;
 
   rpc::Pending<Value> call(std::string_view name, const std::vector<Value>& arguments) override;
+  rpc::Pending<std::shared_ptr<rpc::Service>> offer() override;
   bool isReachable() const override { return calls_->isOpen(); }
+
+  /// Calls one of its members; the arguments fit `parameters`.
+  rpc::Pending<Value> callMember(std::uint32_t uid, const Value& arguments,
+                                 const Signature& parameters, const std::string& returns) {
+    return calls_->call(member(uid), arguments, parameters, returns);
+  }
+  /// Emits its signal's events from now on, or no longer.
+  void listen(std::uint32_t uid, const rpc::Emitter& emitter) {
+    calls_->listen(member(uid), emitter);
+  }
+  void stopListening(std::uint32_t uid) { calls_->stopListening(member(uid)); }
 
  private:
   struct Method {
+    std::uint32_t uid = 0;
     std::string name;
-    std::string parameters;
+    Signature parameters;
     std::string returns;
   };
 
+  Address member(std::uint32_t uid) const { return {address_.service, address_.object, uid}; }
   void learn(const Value& metaobject);
-  rpc::Pending<Value> ask();
   rpc::Pending<Value> callKnown(std::string_view name, const std::vector<Value>& arguments);
 
-  bool is_known_ = false;
-  std::map<std::uint32_t, Method> methods_;
-  std::uint32_t service_;
-  std::uint32_t object_;
+  Address address_;  // without an action
   std::shared_ptr<ClientCalls> calls_;
+  Value metaobject_;  // void: not known yet
+  std::vector<Method> methods_;
+  std::weak_ptr<rpc::Service> offered_;
 };
 
 }  // namespace nao::wire

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "naoqi_api/fits.h"
 #include "naoqi_api/wire/base_actions.h"
 #include "naoqi_api/wire/bytes.h"
 #include "naoqi_api/wire/client_object.h"
@@ -44,7 +45,7 @@ Dispatcher::Dispatcher(rpc::ServiceHub& hub, std::shared_ptr<Channel> channel,
       subscriptions_(channel_, objects_) {
   client_calls_->setObjects(&objects_);
   session_->setReach([calls = client_calls_](std::uint32_t service) {
-    return std::make_shared<ClientObject>(service, ObjectHost::kMain, calls);
+    return std::make_shared<ClientObject>(Address{service, ObjectHost::kMain, 0}, calls);
   });
 }
 
@@ -69,6 +70,7 @@ void Dispatcher::dispatch(const Message& message) {
     case MessageType::Canceled:
       return client_calls_->take(message);
     case MessageType::Event:
+      return client_calls_->takeEvent(message);
     case MessageType::Capability:
       return;
   }
@@ -78,6 +80,7 @@ void Dispatcher::call(const Message& message) {
   std::string error;
   try {
     const auto service = objects_.find(message.address.service, message.address.object);
+    if (!service && isHostedByClient(message.address)) return callLater(message);
     if (!service) throw CallError("The call request could not be handled.");
     const bool is_base = message.address.action < rpc::Service::kFirstUid;
     return is_base ? callBase(message, service) : callMethod(message, service);
@@ -89,10 +92,31 @@ void Dispatcher::call(const Message& message) {
   if (message.type == MessageType::Call) channel_->error(message, error);
 }
 
-Dispatcher::Request Dispatcher::readRequest(const Message& message, const std::string& parameters) {
+bool Dispatcher::isHostedByClient(const Address& address) const {
+  const auto* entry = hub_.find(address.service);
+  return entry && entry->ready && entry->owner && address.object == ObjectHost::kMain;
+}
+
+// A service that another client hosts: what it offers must be known before its calls can be read.
+void Dispatcher::callLater(const Message& message) {
+  if (waiting_ >= kMostWaiting) throw CallError("too many unfinished calls");
+  ++waiting_;
+  hub_.reach(message.address.service)
+      .whenDone([weak = weak_from_this(), message](const auto& found) {
+        const auto self = weak.lock();
+        if (!self) return;
+        --self->waiting_;
+        if (found.value) return self->call(message);
+        if (message.type == MessageType::Call) {
+          self->channel_->error(message, found.error.value_or("canceled"));
+        }
+      });
+}
+
+Dispatcher::Request Dispatcher::readRequest(const Message& message, const Signature& parameters) {
   Decoder decoder(message.payload, &objects_);
   const bool dynamic = (message.flags & kFlagDynamic) != 0;
-  const Value arguments = decoder.read(dynamic ? "m" : parameters);
+  const Value arguments = dynamic ? decoder.read("m") : decoder.read(parameters);
   const auto* items = arguments.findItems();
   if (!items) throw CallError("The arguments of a call are a tuple, not " + arguments.signature());
   Request request{*items, {}};
@@ -104,15 +128,15 @@ Dispatcher::Request Dispatcher::readRequest(const Message& message, const std::s
 void Dispatcher::callBase(const Message& message, const std::shared_ptr<rpc::Service>& service) {
   const BaseMethod* base = findBaseMethod(message.address.action);
   if (!base) failNoSuchMethod(message);
-  const Request request = readRequest(message, base->parameters);
-  const auto arguments = rpc::convert(Value::tuple(request.arguments),
-                                      Signature::of(base->parameters), rpc::Bend::Declared);
+  const BaseTypes& types = typesOf(*base);
+  const Request request = readRequest(message, types.parameters);
+  const auto arguments =
+      rpc::convert(Value::tuple(request.arguments), types.parameters, rpc::Bend::Declared);
   if (!arguments) throw CallError(std::string(base->name) + " takes " + base->parameters);
   const BaseContext context{message.address, *service, objects_, subscriptions_,
                             hub_.options().personality.documents_members};
-  const Value result = runBaseAction(context, *arguments->findItems());
-  if (message.type == MessageType::Post) return;
-  answer({headerOf(message), service, base->returns, request.wished}, result);
+  await({headerOf(message), service, &types.returns, request.wished},
+        runBaseAction(context, *arguments->findItems()));
 }
 
 void Dispatcher::callMethod(const Message& message, const std::shared_ptr<rpc::Service>& service) {
@@ -122,59 +146,65 @@ void Dispatcher::callMethod(const Message& message, const std::shared_ptr<rpc::S
     if (emitter && message.type == MessageType::Post) return emit(message, *emitter);
     failNoSuchMethod(message);
   }
-  Request request = readRequest(message, method->parameters_signature);
+  Request request = readRequest(message, method->parameters);
   if (unfinished_.size() + late_.size() >= kMostUnfinished)
     throw CallError("too many unfinished calls");
-  const Call call{headerOf(message), service, method->return_signature, std::move(request.wished)};
+  Call call{headerOf(message), service, &method->returns, std::move(request.wished)};
   const auto result = run(call, *method, request.arguments);
-  if (result.isDone()) return finish(call, *result.outcome());
+  await(call, result);
+}
 
+void Dispatcher::await(const Call& call, const rpc::Pending<Value>& result) {
+  if (result.isDone()) return finish(call, *result.outcome());
   const std::uint64_t number = next_unfinished_++;
-  unfinished_[number] = {message.id, result};
+  unfinished_[number] = {call.header.id, result};
   result.whenDone([weak = weak_from_this(), number, call](const rpc::Outcome<Value>& outcome) {
     const auto self = weak.lock();
     if (self && self->unfinished_.erase(number) > 0) self->finishLate(call, outcome);
   });
 }
 
-rpc::Pending<Value> Dispatcher::run(const Call& call, const rpc::Method& method,
+rpc::Pending<Value> Dispatcher::run(Call& call, const rpc::Method& method,
                                     const std::vector<Value>& arguments) {
   const rpc::Caller caller{session_, call.service.get(), &hub_.tasks()};
   const Monitor& monitor = call.service->monitor();
-  const bool counts = monitor.stats_enabled;
-  const bool traces = monitor.trace_enabled;
-  if (!counts && !traces) return method.invoke(caller, arguments);
-  const auto now_us = std::chrono::duration_cast<std::chrono::microseconds>(hub_.options().clock());
-  if (traces) {
-    monitor.trace(call.header.id, Monitor::Event::Call, method.uid, Value::list(arguments),
-                  now_us.count());
+  // Listening to the traces is enough to have them.
+  if (monitor.trace_enabled || monitor.traceObject().listenerCount() > 0) {
+    call.trace = hub_.takeTraceId();
+    call.action = method.uid;
+    trace(call, Monitor::Event::Call, Value::list(arguments));
   }
+  if (!monitor.stats_enabled) return method.invoke(caller, arguments);
   const auto start = std::chrono::steady_clock::now();
   const auto result = method.invoke(caller, arguments);
-  const auto clock = hub_.options().clock;
-  result.whenDone([=, service = call.service, id = call.header.id,
-                   uid = method.uid](const rpc::Outcome<Value>& outcome) {
+  result.whenDone([start, service = call.service, uid = method.uid](const auto& /*outcome*/) {
     const std::chrono::duration<float> took = std::chrono::steady_clock::now() - start;
-    if (counts) service->monitor().record(uid, took.count());
-    if (!traces) return;
-    const auto end_us = std::chrono::duration_cast<std::chrono::microseconds>(clock());
-    service->monitor().trace(
-        id, outcome.value ? Monitor::Event::Result : Monitor::Event::Error, uid,
-        outcome.value ? *outcome.value : Value(outcome.error.value_or("canceled")), end_us.count());
+    service->monitor().record(uid, took.count());
   });
   return result;
 }
 
+void Dispatcher::trace(const Call& call, Monitor::Event event, const Value& content) const {
+  const auto now_us = std::chrono::duration_cast<std::chrono::microseconds>(hub_.options().clock());
+  call.service->monitor().trace(call.trace, event, call.action, content, now_us.count());
+}
+
 void Dispatcher::emit(const Message& message, const rpc::Emitter& emitter) {
   if (message.payload.size() > kMaxEmitted) return;
-  const Request request = readRequest(message, emitter.signature());
-  const auto fitting = rpc::convert(Value::tuple(request.arguments),
-                                    Signature::of(emitter.signature()), rpc::Bend::Declared);
+  const Signature type = Signature::of(emitter.signature());
+  const Request request = readRequest(message, type);
+  const auto fitting = rpc::convert(Value::tuple(request.arguments), type, rpc::Bend::Declared);
   if (fitting) emitter.emit(*fitting->findItems());
 }
 
 void Dispatcher::finish(const Call& call, const rpc::Outcome<Value>& outcome) {
-  if (call.header.type == MessageType::Post) return;
+  if (call.header.type != MessageType::Post) answer(call, outcome);
+  if (call.trace == 0) return;
+  trace(call, outcome.value ? Monitor::Event::Result : Monitor::Event::Error,
+        outcome.value ? *outcome.value : Value(outcome.error.value_or("canceled")));
+}
+
+void Dispatcher::answer(const Call& call, const rpc::Outcome<Value>& outcome) {
   if (outcome.isCanceled()) return answerCanceled(call);
   if (outcome.error) return channel_->error(call.header, *outcome.error);
   answer(call, *outcome.value);
@@ -209,7 +239,11 @@ void Dispatcher::answer(const Call& call, const Value& result) {
         return channel_->reply(call.header, std::move(payload), kFlagDynamic);
       }
     }
-    const Signature returns = Signature::of(call.returns);
+    const Signature& returns = *call.returns;
+    if (rpc::fits(result, returns)) {
+      encode(payload, result, returns, &objects_);
+      return channel_->reply(call.header, std::move(payload));
+    }
     const auto declared = rpc::convert(result, returns, rpc::Bend::Declared);
     if (!declared) throw CodecError("the result " + result.print() + " is not " + returns.words());
     encode(payload, *declared, returns, &objects_);

@@ -20,6 +20,7 @@ namespace nao::wire {
 class Dispatcher : public std::enable_shared_from_this<Dispatcher> {
  public:
   static constexpr std::size_t kMostUnfinished = 1024;
+  static constexpr std::size_t kMostWaiting = 64;  // for what another client's service offers
 
   Dispatcher(rpc::ServiceHub& hub, std::shared_ptr<Channel> channel,
              std::shared_ptr<rpc::Session> session);
@@ -44,22 +45,28 @@ class Dispatcher : public std::enable_shared_from_this<Dispatcher> {
   struct Call {
     Message header;  // without payload
     std::shared_ptr<rpc::Service> service;
-    std::string returns;
+    const Signature* returns = nullptr;  // of the service's method, or of a base action
     std::string wished;
+    std::uint32_t trace = 0;   // its number among traced calls; 0: it is not traced
+    std::uint32_t action = 0;  // that is traced
   };
 
   void call(const Message& message);
+  bool isHostedByClient(const Address& address) const;
+  void callLater(const Message& message);
   void callBase(const Message& message, const std::shared_ptr<rpc::Service>& service);
   void callMethod(const Message& message, const std::shared_ptr<rpc::Service>& service);
   void emit(const Message& message, const rpc::Emitter& emitter);
   void cancel(const Message& message);
 
-  Request readRequest(const Message& message, const std::string& parameters);
-  rpc::Pending<Value> run(const Call& call, const rpc::Method& method,
+  Request readRequest(const Message& message, const Signature& parameters);
+  rpc::Pending<Value> run(Call& call, const rpc::Method& method,
                           const std::vector<Value>& arguments);
-  void watch(const Call& call, const rpc::Pending<Value>& result, bool counts, bool traces) const;
+  void await(const Call& call, const rpc::Pending<Value>& result);
   void finish(const Call& call, const rpc::Outcome<Value>& outcome);
   void finishLate(const Call& call, const rpc::Outcome<Value>& outcome);
+  void trace(const Call& call, rpc::Monitor::Event event, const Value& content) const;
+  void answer(const Call& call, const rpc::Outcome<Value>& outcome);
   void answer(const Call& call, const Value& result);
   void answerCanceled(const Call& call);
 
@@ -75,6 +82,7 @@ class Dispatcher : public std::enable_shared_from_this<Dispatcher> {
   };
   std::map<std::uint64_t, Unfinished> unfinished_;  // by our own number
   std::uint64_t next_unfinished_ = 1;
+  std::size_t waiting_ = 0;
   bool held_ = false;
   std::deque<std::pair<Call, rpc::Outcome<Value>>> late_;  // ended, not answered yet
 };

@@ -122,6 +122,17 @@ const BaseMethod* findBaseMethod(std::uint32_t uid) {
   return nullptr;
 }
 
+const BaseTypes& typesOf(const BaseMethod& method) {
+  static const auto all = [] {
+    std::vector<BaseTypes> types;
+    for (const BaseMethod& base : kBaseMethods) {
+      types.push_back({Signature::of(base.parameters), Signature::of(base.returns)});
+    }
+    return types;
+  }();
+  return all[static_cast<std::size_t>(&method - kBaseMethods)];
+}
+
 Value metaObjectOf(const Service& service, bool with_texts) {
   return Value::tuple(kMetaObject, {Value::Map{"I", kMethod, methodsOf(service, with_texts)},
                                     Value::Map{"I", kSignal, signalsOf(service)},

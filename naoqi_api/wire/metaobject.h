@@ -7,6 +7,8 @@
 
 namespace nao::wire {
 
+using rpc::Signature;
+
 // The actions every object has, below rpc::Service::kFirstUid.
 namespace base_action {
 constexpr std::uint32_t kRegisterEvent = 0;
@@ -37,6 +39,13 @@ struct BaseMethod {
   const char* returns;
 };
 const BaseMethod* findBaseMethod(std::uint32_t uid);
+
+/// The same as types. They stay.
+struct BaseTypes {
+  Signature parameters;
+  Signature returns;
+};
+const BaseTypes& typesOf(const BaseMethod& method);
 
 /// What `service` offers, as clients ask for it; `with_texts` says whether the meanings go along.
 rpc::Value metaObjectOf(const rpc::Service& service, bool with_texts);

@@ -22,10 +22,21 @@ const Signature& metaObjectType() {
 
 }  // namespace
 
+namespace {
+
+// What another client's object offers; what it passed by value is known at once.
+std::shared_ptr<rpc::Service> offered(rpc::RemoteObject& object) {
+  const auto offer = object.offer().outcome();
+  return offer && offer->value ? *offer->value : nullptr;
+}
+
+}  // namespace
+
 std::shared_ptr<rpc::Service> ObjectHost::find(std::uint32_t service, std::uint32_t object) const {
   if (object == kMain) {
     const auto* entry = hub_.find(service);
-    return entry ? entry->service : nullptr;
+    if (!entry) return nullptr;
+    return entry->service ? entry->service : entry->offer;
   }
   const auto found = handed_out_.find({service, object});
   return found == handed_out_.end() ? nullptr : found->second;
@@ -43,13 +54,14 @@ void ObjectHost::encodeMetaObject(Bytes& out, const Value& metaobject) {
 
 void ObjectHost::encode(Bytes& out, const ObjectRef& object) {
   std::uint32_t id = 0;  // of no object
-  if (object.local) {
+  const auto service = object.remote ? offered(*object.remote) : object.local;
+  if (service) {
     if (handed_out_.size() >= kMost) throw CodecError("too many objects handed out");
     id = next_object_++;
-    handed_out_[{giver_, id}] = object.local;
+    handed_out_[{giver_, id}] = service;
   }
   const rpc::Service nothing("", "");
-  encodeMetaObject(out, metaObjectOf(object.local ? *object.local : nothing,
+  encodeMetaObject(out, metaObjectOf(service ? *service : nothing,
                                      hub_.options().personality.documents_members));
   appendNumber(out, giver_);
   appendNumber(out, id);
@@ -81,7 +93,7 @@ ObjectRef ObjectHost::decode(Decoder& decoder) {
   if (channel_->shares(kUid)) decoder.raw(kUidSize);
   if (object == 0) return {};
   if (auto ours = find(service, object)) return {std::move(ours), nullptr};
-  return {nullptr, std::make_shared<ClientObject>(metaobject, service, object, client_calls_)};
+  return {nullptr, ClientObject::make(metaobject, {service, object, 0}, client_calls_)};
 }
 
 }  // namespace nao::wire

@@ -13,14 +13,25 @@ constexpr std::uint32_t kAuthenticated = 3;  // 1 error, 2 continue, 3 done
 constexpr char kAuthState[] = "__qi_auth_state";
 constexpr char kCapabilityMap[] = "{sm}";
 
-Capabilities readCapabilities(const Bytes& payload) {
-  const Value map = Decoder(payload).read(kCapabilityMap);
+/// What a client says when it comes.
+struct Opening {
   Capabilities capabilities;
-  for (const auto& [name, value] : map.find<Value::Map>()->entries) {
+  std::string user;
+  std::string token;
+};
+
+Opening readOpening(const Bytes& payload) {
+  const Value map = Decoder(payload).read(kCapabilityMap);
+  Opening opening;
+  for (const auto& [key, value] : map.find<Value::Map>()->entries) {
+    const std::string& name = *key.findText();
     const bool* on = value.find<bool>();
-    capabilities[*name.findText()] = on && *on;
+    opening.capabilities[name] = on && *on;
+    const std::string* text = value.findText();
+    if (text && name == "auth_user") opening.user = *text;
+    if (text && name == "auth_token") opening.token = *text;
   }
-  return capabilities;
+  return opening;
 }
 
 Value::Map toMap(const Capabilities& capabilities) {
@@ -82,6 +93,10 @@ bool QiConnection::isAuthentication(const Message& message) const {
          message.address.object == 0 && message.address.action == kAuthenticate;
 }
 
+bool QiConnection::needsAuthentication() const {
+  return hub_.options().credentials || hub_.options().personality.needs_authentication;
+}
+
 void QiConnection::take(const Message& message) {
   if (message.version > 0) {
     return channel_->error(message,
@@ -91,8 +106,7 @@ void QiConnection::take(const Message& message) {
   }
   if (isAuthentication(message)) return authenticate(message);
   if (message.type == MessageType::Capability) return takeCapabilities(message);
-  const bool is_refused = message.address.service == 0 ||
-                          (!is_open_ && hub_.options().personality.needs_authentication);
+  const bool is_refused = message.address.service == 0 || (!is_open_ && needsAuthentication());
   if (is_refused) {
     if (message.type == MessageType::Call) {
       channel_->error(message, "The call request could not be handled.");
@@ -106,9 +120,13 @@ void QiConnection::take(const Message& message) {
 void QiConnection::authenticate(const Message& message) {
   Value::Map answer{"s", "m", {}};
   try {
-    const auto capabilities = readCapabilities(message.payload);
+    const Opening opening = readOpening(message.payload);
+    const auto& credentials = hub_.options().credentials;
+    if (!is_open_ && credentials && !credentials->accept(opening.user, opening.token)) {
+      return refuse(message);
+    }
     if (!is_open_) {
-      channel_->setPeer(capabilities);
+      channel_->setPeer(opening.capabilities);
       answer = toMap(channel_->own());
       open();
     }
@@ -121,11 +139,16 @@ void QiConnection::authenticate(const Message& message) {
   channel_->reply(message, encodeMap(answer));
 }
 
+void QiConnection::refuse(const Message& message) {
+  channel_->error(message, "Authentication failed: expected a valid auth_user and auth_token.");
+  if (++failures_ >= rpc::Credentials::kMostFailures) wants_close_ = true;
+}
+
 // A client from before 2014 tells its capabilities instead of authenticating.
 void QiConnection::takeCapabilities(const Message& message) {
-  if (hub_.options().personality.needs_authentication && !is_open_) return;
+  if (needsAuthentication() && !is_open_) return;
   try {
-    channel_->setPeer(readCapabilities(message.payload));
+    channel_->setPeer(readOpening(message.payload).capabilities);
   } catch (const CodecError&) {
     wants_close_ = true;
     return;

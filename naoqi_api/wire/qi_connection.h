@@ -16,9 +16,10 @@ class Dispatcher;
 /// One client on the qi wire. The hub outlives it. When it goes its subscriptions end and the
 /// services it had registered go.
 ///
-/// The first message decides how it goes on. An authentication (service 0, action 8) is always
-/// granted. Anything else is an older client, which is answered at once, or is refused until it
-/// authenticates, as the hub's personality says.
+/// The first message decides how it goes on. An authentication (service 0, action 8) is granted,
+/// if the hub has credentials to whoever names some of them; a third failure closes. Anything else
+/// is an older client, which is answered at once, or is refused until it authenticates, as the
+/// hub's personality says; always refused if there are credentials.
 class QiConnection : public Connection {
  public:
   /// @param endpoint the address the client dialled, tcp://host:port: services are listed there.
@@ -42,10 +43,12 @@ class QiConnection : public Connection {
   void takeAll();
   void take(const Message& message);
   bool isAuthentication(const Message& message) const;
+  bool needsAuthentication() const;
   void authenticate(const Message& message);
   void takeCapabilities(const Message& message);
   void sendCapabilities();
   void open();
+  void refuse(const Message& message);
 
   rpc::ServiceHub& hub_;
   std::shared_ptr<Channel> channel_;
@@ -53,6 +56,7 @@ class QiConnection : public Connection {
   std::shared_ptr<Dispatcher> dispatcher_;
   FrameReader reader_;
   bool is_open_ = false;
+  int failures_ = 0;  // to authenticate
   bool wants_close_ = false;
   bool held_ = false;
   std::uint64_t messages_taken_ = 0;

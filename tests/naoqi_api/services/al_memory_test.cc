@@ -32,6 +32,9 @@ constexpr char kYaw[] = "Device/SubDeviceList/HeadYaw/Position/Sensor/Value";
 // A module that a client hosts: keeps what it is called with.
 class HostedModule : public rpc::RemoteObject {
  public:
+  rpc::Pending<std::shared_ptr<rpc::Service>> offer() override {
+    return rpc::Pending<std::shared_ptr<rpc::Service>>::failed("not asked in these tests");
+  }
   rpc::Pending<Value> call(std::string_view name, const std::vector<Value>& arguments) override {
     rpc::Pending<Value> result;  // never ends if it fits: nobody may wait for it
     if (arguments.size() == takes) {
