@@ -25,6 +25,9 @@ void printReady(daemon::Daemon& daemon, const std::string& listen) {
   for (std::size_t i = 0; i < daemon.robotCount(); ++i) {
     std::printf("ready: %s (%s) at tcp://%s:%d\n", daemon.robotName(i).c_str(),
                 daemon.robotModel(i).name.c_str(), listen.c_str(), daemon.port(i));
+    for (const std::string& address : daemon.endpoints(i).otherAddresses()) {
+      std::printf("       and at %s\n", address.c_str());
+    }
   }
   for (const auto& [name, value] : daemon.draw()) {
     std::printf("drawn: %s = %.9g\n", name.c_str(), value);
@@ -50,6 +53,7 @@ void serve(Arguments& arguments) {
   options.mode = parseMode(arguments.mode);
   options.world = findSourceFile(options.world);
   options.robots_dir = findSourceFile(options.robots_dir);
+  options.pages = findSourceFile("naoqi_api/sdk/js");
   if (arguments.scripts) options.scripts = findSourceFile("naoqi_api/sdk/python");
   options.behaviors = shippedMotions();
   for (const std::string& folder : arguments.behaviors) options.behaviors.push_back(folder);
@@ -62,6 +66,27 @@ void serve(Arguments& arguments) {
   const daemon::LoopState end = daemon.state();
   std::printf("stopped at %.3f s of simulated time, seed %" PRIu64 ", state %016" PRIx64 "\n",
               toSeconds(end.time), options.seed, end.hash);
+}
+
+void addWires(CLI::App& command, daemon::Options& options) {
+  command.add_option("--auth", options.auth,
+                     "Lets in only clients that name a user and token of this FILE, lines of\n"
+                     "'user token': qi by auth_user and auth_token, msgpack-RPC by authenticate,\n"
+                     "the web by its password dialogue.");
+  command.add_flag("--insecure", options.insecure,
+                   "Lets everybody in, also where --listen is more than this machine.");
+  command.add_option("--tls-port", options.tls_port,
+                     "Speaks qi over TLS (tcps) on this port, too; 0 takes any free one.");
+  command.add_option("--tls-dir", options.tls_dir,
+                     "Where the certificate is; made at the first start. Default:\n"
+                     "~/.local/state/usarnaoqi.");
+  command.add_option("--msgpack-port", options.msgpack_port,
+                     "Speaks MessagePack-RPC on this port; 0 takes any free one.");
+  command.add_option("--http-port", options.http_port,
+                     "Serves qi.js, its wire and a page on this port; 0 takes any free one.");
+  command.add_option("--allow-origin", options.origins,
+                     "Lets pages of this address, such as http://localhost:3000, use the robot\n"
+                     "through --http-port. Repeat it for more.");
 }
 
 }  // namespace
@@ -80,6 +105,7 @@ void addServe(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--port", options.port, "The first robot's port; 0 takes any free ones.")
       ->capture_default_str();
+  addWires(*command, options);
   command
       ->add_option("--speed", arguments->speed,
                    "Simulated seconds per second, or 'max' for as fast as it goes.")

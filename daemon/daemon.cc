@@ -58,9 +58,13 @@ Daemon::Daemon(const Options& options)
         loop_.wake();
         scheduleDelivery();
       }) {
+  std::shared_ptr<const rpc::Credentials> credentials;
+  if (!options.auth.empty()) {
+    credentials = std::make_shared<const rpc::Credentials>(rpc::Credentials::load(options.auth));
+  }
   for (std::size_t i = 0; i < simulation_.robotCount(); ++i) {
-    hosts_.push_back(
-        std::make_unique<RobotHost>(HostContext{io_, loop_, simulation_, options_}, i));
+    const HostContext context{io_, loop_, simulation_, options_, credentials};
+    hosts_.push_back(std::make_unique<RobotHost>(context, i));
     cameras_.add(hosts_.back()->pictures());
     simulation_.showTo(hosts_.back()->pictures(), i);
   }

@@ -36,7 +36,11 @@ class Daemon {
   std::size_t robotCount() const { return hosts_.size(); }
   std::string robotName(std::size_t i) const { return simulation_.robotName(i); }
   const RobotModel& robotModel(std::size_t i) { return simulation_.robot(i).model(); }
-  std::uint16_t port(std::size_t i) const { return hosts_[i]->port(); }
+  const RobotEndpoints& endpoints(std::size_t i) const { return hosts_[i]->endpoints(); }
+  std::uint16_t port(std::size_t i) const { return endpoints(i).qiPort(); }
+
+  /// The caller's thread of run(), for what else is to run on it.
+  boost::asio::io_context& io() { return io_; }
 
   /// Before run(): what the seed has drawn for this run, by name; empty without one.
   std::map<std::string, double> draw() { return simulation_.world().draw(); }

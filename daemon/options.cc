@@ -1,5 +1,6 @@
 #include "daemon/options.h"
 
+#include <boost/asio/ip/address.hpp>
 #include <charconv>
 #include <limits>
 
@@ -18,13 +19,26 @@ RobotOption parseRobot(const std::string& text) {
   return robot;
 }
 
-std::uint16_t portOf(const Options& options, std::size_t robot) {
-  if (options.port == 0) return 0;
-  const std::size_t port = options.port + robot;
+void checkSecurity(const Options& options) {
+  boost::system::error_code error;
+  const auto address = boost::asio::ip::make_address(options.listen, error);
+  if (error) throw InputError("--listen: expected an IP address, found '" + options.listen + "'");
+  if (!options.auth.empty() && !options.scripts.empty()) {
+    throw InputError("--scripts: the code in boxes has no token, expected no --auth beside it");
+  }
+  if (address.is_loopback() || !options.auth.empty() || options.insecure) return;
+  throw InputError("--listen: others can reach " + options.listen +
+                   ", expected --auth FILE with a line 'user token' for each of them, or "
+                   "--insecure to let everybody in");
+}
+
+std::uint16_t portOf(std::uint16_t first, std::size_t robot, const std::string& option) {
+  if (first == 0) return 0;
+  const std::size_t port = first + robot;
   if (port > std::numeric_limits<std::uint16_t>::max()) {
-    throw InputError("--port: robot " + std::to_string(robot) + " would listen on port " +
-                     std::to_string(port) + ", expected --port and the number of robots to stay " +
-                     "at or below 65535");
+    throw InputError(option + ": robot " + std::to_string(robot) + " would listen on port " +
+                     std::to_string(port) + ", expected " + option +
+                     " and the number of robots to stay at or below 65535");
   }
   return static_cast<std::uint16_t>(port);
 }

@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "daemon/machine_id.h"
-#include "naoqi_api/wire/qi_connection.h"
 
 namespace nao::daemon {
 namespace {
@@ -26,11 +25,7 @@ RobotHost::RobotHost(const HostContext& context, std::size_t robot)
       hub_(hubOptions(context)) {
   services_.addTo(hub_);
   hub_.add(usar_sim_.describe());
-  const Address address{context.options.listen, portOf(context.options, robot), "--port"};
-  server_ = std::make_unique<Server>(
-      context.io, address, [this](const std::string& endpoint, wire::Connection::Send send) {
-        return std::make_unique<wire::QiConnection>(hub_, endpoint, std::move(send));
-      });
+  endpoints_ = std::make_unique<RobotEndpoints>(context.io, context.options, robot, hub_);
 }
 
 rpc::HubOptions RobotHost::hubOptions(const HostContext& context) {
@@ -39,6 +34,7 @@ rpc::HubOptions RobotHost::hubOptions(const HostContext& context) {
       context.options.strict ? rpc::Personality::libqi4() : rpc::Personality::naoqi();
   options.machine_id = machineId();
   options.process_id = static_cast<std::uint32_t>(::getpid());
+  options.credentials = context.credentials;
   options.call_later = services_.later();
   options.clock = [this] { return services_.now(); };
   return options;
@@ -69,7 +65,7 @@ services::ScriptLauncher RobotHost::scriptLauncher(const HostContext& context) {
   return [this, &io = context.io, modules = options.scripts, host](const auto& file, auto ended) {
     const auto place = std::make_shared<std::weak_ptr<ScriptProcess>>();
     const auto process =
-        ScriptProcess::start(io, {file, modules, host + ":" + std::to_string(port())},
+        ScriptProcess::start(io, {file, modules, host + ":" + std::to_string(endpoints_->qiPort())},
                              [this, place, ended](const std::string& failure) {
                                scripts_.erase(place->lock());
                                ended(failure);

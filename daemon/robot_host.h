@@ -10,9 +10,9 @@
 #include "camera/image_feed.h"
 #include "camera/render_queue.h"
 #include "daemon/options.h"
+#include "daemon/robot_endpoints.h"
 #include "daemon/robot_loop.h"
 #include "daemon/script_process.h"
-#include "daemon/server.h"
 #include "daemon/usar_sim.h"
 #include "naoqi_api/robot_link.h"
 #include "naoqi_api/service_hub.h"
@@ -26,6 +26,7 @@ struct HostContext {
   RobotLoop& loop;
   runtime::Simulation& simulation;
   const Options& options;
+  std::shared_ptr<const rpc::Credentials> credentials;  // null: every client is let in
 };
 
 /// One robot as its clients see it: its services, their directory and the port it listens on.
@@ -35,7 +36,7 @@ class RobotHost {
   /// @throws InputError when the port can not be listened on.
   RobotHost(const HostContext& context, std::size_t robot);
 
-  std::uint16_t port() const { return server_->port(); }
+  const RobotEndpoints& endpoints() const { return *endpoints_; }
   const std::shared_ptr<camera::RenderQueue>& pictures() const { return pictures_; }
 
   /// Hands on what the simulation and the camera have published since.
@@ -43,7 +44,7 @@ class RobotHost {
 
   /// No more clients; calls and scripts under way end.
   void close() {
-    server_->close();
+    endpoints_->close();
     scripts_.clear();
   }
 
@@ -58,7 +59,7 @@ class RobotHost {
   UsarSim usar_sim_;
   services::RobotServices services_;
   rpc::ServiceHub hub_;
-  std::unique_ptr<Server> server_;
+  std::unique_ptr<RobotEndpoints> endpoints_;
   std::set<std::shared_ptr<ScriptProcess>> scripts_;  // that run
 };
 

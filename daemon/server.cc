@@ -2,38 +2,17 @@
 
 #include <algorithm>
 
-#include "core/check.h"
-#include "daemon/tcp_stream.h"
-
 namespace nao::daemon {
-namespace {
 
 using boost::asio::ip::tcp;
 
-constexpr std::chrono::milliseconds kBreath{100};  // after a failed accept: out of descriptors
-
-tcp::endpoint endpointOf(const Address& address) {
-  boost::system::error_code error;
-  const auto parsed = boost::asio::ip::make_address(address.host, error);
-  if (error) throw InputError("--listen: expected an IP address, found '" + address.host + "'");
-  return {parsed, address.port};
-}
-
-}  // namespace
-
-Server::Server(boost::asio::io_context& io, const Address& address, MakeConnection make_connection)
-    : make_connection_(std::move(make_connection)), acceptor_(io), breath_(io) {
-  const tcp::endpoint endpoint = endpointOf(address);
-  try {
-    acceptor_.open(endpoint.protocol());
-    acceptor_.set_option(tcp::acceptor::reuse_address(true));
-    acceptor_.bind(endpoint);
-    acceptor_.listen();
-  } catch (const boost::system::system_error& error) {
-    throw InputError(address.option + ": can not listen on " + address.host + ":" +
-                     std::to_string(address.port) + " (" + error.code().message() +
-                     "), expected a free port");
-  }
+Server::Server(boost::asio::io_context& io, const Address& address, MakeStream make_stream,
+               MakeConnection make_connection)
+    : make_stream_(std::move(make_stream)),
+      make_connection_(std::move(make_connection)),
+      acceptor_(io),
+      breath_(io) {
+  listenOn(acceptor_, address);
   accept();
 }
 
@@ -76,7 +55,7 @@ bool Server::hasPlace() {
 }
 
 void Server::take(tcp::socket socket) {
-  auto stream = std::make_unique<TcpStream>(std::move(socket), buffer_);
+  auto stream = make_stream_(std::move(socket), buffer_);
   const auto session =
       std::make_shared<Session>(acceptor_.get_executor(), std::move(stream), make_connection_,
                                 [this](const auto& closed) { sessions_.remove(closed); });

@@ -3,20 +3,19 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <cstdint>
+#include <functional>
 #include <list>
 #include <memory>
 #include <string>
 
+#include "daemon/listening.h"
 #include "daemon/session.h"
 
 namespace nao::daemon {
 
-/// Where to listen.
-struct Address {
-  std::string host;        // an IP address
-  std::uint16_t port = 0;  // 0: any free one
-  std::string option;      // that names the port, for error texts
-};
+/// Makes the byte stream of a socket; the buffer may be lent to it.
+using MakeStream =
+    std::function<std::unique_ptr<Stream>(boost::asio::ip::tcp::socket, Stream::ReadBuffer&)>;
 
 /// Listens for the clients of one wire of one robot. I/O thread.
 ///
@@ -27,7 +26,8 @@ class Server {
   static constexpr std::size_t kMostConnections = 1024;
 
   /// @throws InputError naming the address when it can not be listened on.
-  Server(boost::asio::io_context& io, const Address& address, MakeConnection make_connection);
+  Server(boost::asio::io_context& io, const Address& address, MakeStream make_stream,
+         MakeConnection make_connection);
   ~Server();
 
   std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
@@ -40,6 +40,7 @@ class Server {
   void take(boost::asio::ip::tcp::socket socket);
   bool hasPlace();
 
+  MakeStream make_stream_;
   MakeConnection make_connection_;
   boost::asio::ip::tcp::acceptor acceptor_;
   boost::asio::steady_timer breath_;

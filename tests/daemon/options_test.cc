@@ -19,16 +19,16 @@ TEST(Options, ARobotHasANameAndAModel) {
 TEST(Options, EveryRobotHasAPortOfItsOwnOrNone) {
   Options options;
   options.port = 65534;
-  EXPECT_EQ(portOf(options, 0), 65534);
-  EXPECT_EQ(portOf(options, 1), 65535);
+  EXPECT_EQ(portOf(options.port, 0, "--port"), 65534);
+  EXPECT_EQ(portOf(options.port, 1, "--port"), 65535);
   try {
-    portOf(options, 2);
+    portOf(options.port, 2, "--port");
     FAIL() << "a port above 65535";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("65536"), std::string::npos) << error.what();
   }
   options.port = 0;  // any free one
-  EXPECT_EQ(portOf(options, 2), 0);
+  EXPECT_EQ(portOf(options.port, 2, "--port"), 0);
 }
 
 TEST(Options, SpeedIsANumberOrMax) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -31,6 +32,7 @@ class Running {
     thread_.join();
   }
   std::uint16_t port(std::size_t robot = 0) const { return daemon_.port(robot); }
+  std::vector<std::string> addresses() const { return daemon_.endpoints(0).otherAddresses(); }
 
  private:
   Daemon daemon_;

@@ -1,0 +1,89 @@
+#include "daemon/robot_endpoints.h"
+
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+#include "core/check.h"
+#include "daemon/certificate.h"
+#include "daemon/tcp_stream.h"
+#include "daemon/tls_stream.h"
+#include "naoqi_api/wire/msgpack_connection.h"
+#include "naoqi_api/wire/qi_connection.h"
+
+namespace nao::daemon {
+namespace {
+
+using boost::asio::ip::tcp;
+
+std::unique_ptr<Stream> plainStream(tcp::socket socket, Stream::ReadBuffer& buffer) {
+  return std::make_unique<TcpStream>(std::move(socket), buffer);
+}
+
+MakeStream tlsStreams(const Options& options) {
+  const std::string& folder = options.tls_dir;
+  const auto context = makeTlsContext(folder.empty() ? defaultCertificateFolder() : folder);
+  return [context](tcp::socket socket, Stream::ReadBuffer& /*buffer*/) {
+    return std::make_unique<TlsStream>(std::move(socket), context);
+  };
+}
+
+template <class T>
+MakeConnection connectionsTo(rpc::ServiceHub& hub) {
+  return [&hub](const std::string& endpoint, wire::Connection::Send send) {
+    return std::make_unique<T>(hub, endpoint, std::move(send));
+  };
+}
+
+std::string readFile(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw InputError(path + ": can not be read, expected what --http-port serves");
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+RobotEndpoints::RobotEndpoints(boost::asio::io_context& io, const Options& options,
+                               std::size_t robot, rpc::ServiceHub& hub)
+    : host_(options.listen) {
+  checkSecurity(options);
+  const auto address = [&](std::uint16_t first, const char* option) {
+    return Address{options.listen, portOf(first, robot, option), option};
+  };
+  const auto qi = connectionsTo<wire::QiConnection>(hub);
+  qi_ = std::make_unique<Server>(io, address(options.port, "--port"), plainStream, qi);
+  if (const auto port = options.tls_port) {
+    tls_ = std::make_unique<Server>(io, address(*port, "--tls-port"), tlsStreams(options), qi);
+  }
+  if (const auto port = options.msgpack_port) {
+    msgpack_ = std::make_unique<Server>(io, address(*port, "--msgpack-port"), plainStream,
+                                        connectionsTo<wire::MsgpackConnection>(hub));
+  }
+  if (const auto port = options.http_port) {
+    const WebContent content{readFile(options.pages + "/index.html"),
+                             readFile(options.pages + "/qi.js"), options.origins};
+    web_ = std::make_unique<WebServer>(io, address(*port, "--http-port"), hub, content);
+  }
+}
+
+std::vector<std::string> RobotEndpoints::otherAddresses() const {
+  std::vector<std::string> addresses;
+  const auto add = [&](const char* scheme, std::uint16_t port) {
+    addresses.push_back(std::string(scheme) + "://" + host_ + ":" + std::to_string(port));
+  };
+  if (tls_) add("tcps", tls_->port());
+  if (msgpack_) add("msgpack-rpc", msgpack_->port());
+  if (web_) add("http", web_->port());
+  return addresses;
+}
+
+void RobotEndpoints::close() {
+  qi_->close();
+  if (tls_) tls_->close();
+  if (msgpack_) msgpack_->close();
+  if (web_) web_->close();
+}
+
+}  // namespace nao::daemon

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "daemon/options.h"
+#include "daemon/server.h"
+#include "daemon/web_server.h"
+#include "naoqi_api/service_hub.h"
+
+namespace nao::daemon {
+
+/// Every way to reach one robot's services: qi, and as the options say qi over TLS, msgpack-RPC and
+/// the web. I/O thread. The hub outlives it.
+class RobotEndpoints {
+ public:
+  /// @throws InputError when a port can not be listened on, or the options leave it open to all.
+  RobotEndpoints(boost::asio::io_context& io, const Options& options, std::size_t robot,
+                 rpc::ServiceHub& hub);
+
+  std::uint16_t qiPort() const { return qi_->port(); }
+
+  /// Those beside qi, as URLs.
+  std::vector<std::string> otherAddresses() const;
+
+  void close();
+
+ private:
+  std::string host_;
+  std::unique_ptr<Server> qi_;
+  std::unique_ptr<Server> tls_;
+  std::unique_ptr<Server> msgpack_;
+  std::unique_ptr<WebServer> web_;
+};
+
+}  // namespace nao::daemon
