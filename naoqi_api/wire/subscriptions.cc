@@ -2,6 +2,7 @@
 
 #include "core/check.h"
 #include "naoqi_api/call_error.h"
+#include "naoqi_api/fits.h"
 
 namespace nao::wire {
 namespace {
@@ -15,8 +16,9 @@ std::uint64_t Subscriptions::add(const Address& signal, std::uint64_t link,
   if (wished.size() > kMaxWished) throw rpc::CallError("the signature is too long");
   if (all_.size() >= kMost) throw rpc::CallError("too many subscriptions on one connection");
   const std::uint64_t number = (std::uint64_t{signal.action} << 32U) | next_++;
-  const auto added =
-      all_.emplace(number, Subscription{signal, link, emitter, 0, std::move(wished)}).first;
+  const auto added = all_.emplace(number, Subscription{signal, link, emitter, 0, std::move(wished),
+                                                       Signature::of(emitter.signature())})
+                         .first;
   added->second.emitter_link = emitter.connect(
       [this, number](const std::vector<Value>& arguments) { send(number, arguments); });
   return number;
@@ -61,24 +63,44 @@ void Subscriptions::send(std::uint64_t number, const std::vector<Value>& argumen
   event.address = found->second.signal;
   objects_.setGiver(event.address.service);
   try {
-    write(event, found->second, Value::tuple(arguments));
+    write(event, found->second, arguments);
   } catch (const CodecError&) {
     return channel_->fail();  // events are never dropped silently
   }
   channel_->sendNew(std::move(event));
 }
 
-void Subscriptions::write(Message& event, const Subscription& known, const Value& arguments) {
+namespace {
+
+bool allFit(const std::vector<Value>& arguments, const std::vector<Signature>& types) {
+  if (arguments.size() != types.size()) return false;
+  for (std::size_t i = 0; i < types.size(); ++i) {
+    if (!rpc::fits(arguments[i], types[i])) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void Subscriptions::write(Message& event, const Subscription& known,
+                          const std::vector<Value>& arguments) {
   if (!known.wished.empty() && channel_->shares("MessageFlags")) {
     const auto type = Signature::parse(known.wished);
-    const auto wished = type ? rpc::convert(arguments, *type, rpc::Bend::Declared) : std::nullopt;
+    const auto wished =
+        type ? rpc::convert(Value::tuple(arguments), *type, rpc::Bend::Declared) : std::nullopt;
     if (wished) {
       event.flags = kFlagDynamic;
       return encodeDynamic(event.payload, *wished, &objects_);
     }
   }
-  const Signature declared = Signature::of(known.emitter.signature());
-  const auto fitting = rpc::convert(arguments, declared, rpc::Bend::Declared);
+  const Signature& declared = known.declared;
+  if (allFit(arguments, declared.children())) {
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+      encode(event.payload, arguments[i], declared.children()[i], &objects_);
+    }
+    return;
+  }
+  const auto fitting = rpc::convert(Value::tuple(arguments), declared, rpc::Bend::Declared);
   NAO_CHECK(fitting.has_value());  // a service emits what it declared
   encode(event.payload, *fitting, declared, &objects_);
 }

@@ -43,11 +43,12 @@ class Subscriptions {
     rpc::Emitter emitter;
     std::uint64_t emitter_link = 0;
     std::string wished;
+    Signature declared;  // of the emitter
   };
   using All = std::map<std::uint64_t, Subscription>;
 
   void send(std::uint64_t number, const std::vector<Value>& arguments);
-  void write(Message& event, const Subscription& known, const Value& arguments);
+  void write(Message& event, const Subscription& known, const std::vector<Value>& arguments);
   All::iterator drop(All::iterator subscription);
 
   std::shared_ptr<Channel> channel_;
