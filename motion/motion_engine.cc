@@ -17,6 +17,7 @@ MotionEngine::Impl::Impl(std::shared_ptr<const RobotModel> model, std::unique_pt
       limbs_(legs_ | jointsOfGroup(*model_, "LArm") | jointsOfGroup(*model_, "RArm")),
       body_(*model_),
       setpoints_(model_->jointCount()),
+      direct_(model_->jointCount()),
       walking_(*model_, std::move(gait)),
       whole_body_(model_),
       idle_(*model_),
@@ -53,15 +54,20 @@ JointCommand MotionEngine::Impl::update(const SensorFrame& measured) {
   setpoints_.clear(schedule_.booked());
   pose_goals_.release(schedule_.booked());
   for (const RequestId id : body_.stiffness.advance(dt_)) done(id);
+  direct_.applyStiffness(time_,
+                         [this](Joint joint, double value) { body_.stiffness.set(joint, value); });
   const JointSet limp = limpJoints();
   setpoints_.clear(limp);
   pose_goals_.release(limp);
-  const JointSet held = schedule_.booked() | setpoints_.active() | pose_goals_.active();
+  const JointSet held =
+      schedule_.booked() | setpoints_.active() | pose_goals_.active() | direct_.activeAngles();
   setpoints_.advance(dt_, body_.angle);
   pose_goals_.advance(dt_, body_.angle);
   if (!walking_.ordered()) whole_body_.apply(dt_, before, held, limp, body_.angle);
   walking_.update(dt_, held, body_);
   idle_.update(dt_, held | limp | (walking_.active() ? limbs_ : JointSet{}), body_);
+
+  direct_.apply(time_, body_.angle);
 
   // What the body can do.
   followSensors(limp);
@@ -166,6 +172,7 @@ void MotionEngine::Impl::archive(Archive& archive) {
   archive.value(body_.awake);
   schedule_.archive(archive);
   setpoints_.archive(archive);
+  direct_.archive(archive);
   pose_goals_.archive(archive);
   walking_.archive(archive);
   whole_body_.archive(archive);

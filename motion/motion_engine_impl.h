@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "motion/collision_guard.h"
+#include "motion/direct_queue.h"
 #include "motion/fall_manager.h"
 #include "motion/ground_sense.h"
 #include "motion/idle.h"
@@ -55,6 +56,7 @@ class MotionEngine::Impl {
   void take(RequestId id, const SetFallManager& request);
   void take(RequestId id, const SetWalkProtection& request);
   void take(RequestId id, const SetSmartStiffness& request);
+  void take(RequestId id, const DirectCommands& request);
   void take(RequestId id, const Kill& request);
   void take(RequestId id, const KillAll& request);
   void take(RequestId id, const InterpolatePoses& request);
@@ -84,6 +86,7 @@ class MotionEngine::Impl {
   Body body_;
   Schedule schedule_;
   Setpoints setpoints_;
+  DirectQueue direct_;
   PoseGoals pose_goals_;
   Walking walking_;
   WholeBody whole_body_;

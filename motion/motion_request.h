@@ -9,6 +9,7 @@
 
 #include "core/frames.h"
 #include "core/joint.h"
+#include "core/sim_time.h"
 #include "motion/cartesian.h"
 #include "motion/gait.h"
 #include "motion/whole_body_request.h"
@@ -151,6 +152,30 @@ struct SetWalkProtection {
   bool stiffness = true;
 };
 
+/// A value for a moment of simulated time.
+struct TimedValue {
+  SimTime time{};
+  double value = 0;
+};
+
+/// Timed commands past all motions, along straight lines (NaoQi's DCM): see DirectQueue.
+struct DirectCommands {
+  enum class Merge : std::uint8_t {
+    ClearAll,     // of these actuators: all others go
+    Merge,        // all others stay
+    ClearAfter,   // those from the first new one on go
+    ClearBefore,  // those up to the last new one go
+  };
+  enum class Quantity : std::uint8_t { Angle, Stiffness };  // [rad]; -1 or 0 to 1
+  struct Track {
+    Joint joint{};
+    Quantity quantity = Quantity::Angle;
+    std::vector<TimedValue> points;
+  };
+  std::vector<Track> tracks;
+  Merge merge = Merge::Merge;
+};
+
 /// Ends one request (kill, cancel) or all of them; joints keep their last command, a walk comes to
 /// a stand.
 struct Kill {
@@ -162,8 +187,8 @@ using MotionAction =
     std::variant<SetAngles, Interpolate, InterpolateWithSpeed, SetStiffness, InterpolateStiffness,
                  WakeUp, Rest, GoToPosture, MoveTo, Move, MoveToward, MoveInit, StopMove, KillMove,
                  SetMoveArms, SetWalkFeedback, SetIdle, SetBreath, SetCollisionProtection,
-                 SetFallManager, SetWalkProtection, SetSmartStiffness, Kill, KillAll,
-                 InterpolatePoses, SetPoses, WalkSteps, WbEnable, WbFootState, WbBalance,
+                 SetFallManager, SetWalkProtection, SetSmartStiffness, DirectCommands, Kill,
+                 KillAll, InterpolatePoses, SetPoses, WalkSteps, WbEnable, WbFootState, WbBalance,
                  WbGoToBalance, WbEffector, WbEffectorTarget, WbOptimize>;
 
 /// Everything a client can ask of the motion engine, checked for names, shapes and ranges before

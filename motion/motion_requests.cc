@@ -20,6 +20,11 @@ void MotionEngine::Impl::take(RequestId id, const SetAngles& request) {
   done(id);
 }
 
+void MotionEngine::Impl::take(RequestId id, const DirectCommands& request) {
+  if (direct_.take(request, time_, body_.angle, body_.stiffness.value())) return done(id);
+  report(id, MotionOutcome::Kind::Failed, "more than 512 commands wait for one actuator");
+}
+
 void MotionEngine::Impl::take(RequestId id, const Interpolate& request) {
   Job job{id, "angleInterpolation", {}, std::make_unique<FollowCurves>(request)};
   for (const Curve& curve : request.curves) job.joints.set(index(curve.joint));
