@@ -33,6 +33,9 @@ class RobotLink {
   /// Ends a motion if it still goes on, and if the robot takes another request now.
   void kill(motion::RequestId id);
 
+  /// Asks for a light; false if the robot has too many such orders to take another.
+  bool light(LedOrder order) { return ports_->leds.post(std::move(order)); }
+
   /// How the request just posted ends. Canceling it kills the motion. Once per request.
   rpc::Pending<motion::MotionOutcome> outcomeOf(motion::RequestId id);
 
