@@ -4,7 +4,7 @@
 
 #include "app/commands.h"
 #include "app/source_paths.h"
-#include "core/config.h"
+#include "core/check.h"
 #include "core/robot_model.h"
 #include "naoqi_api/reference.h"
 #include "naoqi_api/services/robot_services.h"

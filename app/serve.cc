@@ -123,6 +123,13 @@ void addServe(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--robots-dir", options.robots_dir, "Where the robots' folders are.")
       ->capture_default_str();
+  command
+      ->add_option("--data-dir", options.data_dir,
+                   "Where the sounds are that clients play; they see no other folder.")
+      ->check(CLI::ExistingDirectory);
+  command->add_option("--naoqi", options.naoqi,
+                      "The NAOqi to be like where versions differ: 1.12, 1.14, 2.1, 2.5, 2.8 or\n"
+                      "2.9. Default: the one that ran on the robot.");
   command->add_option("--behaviors", arguments->behaviors,
                       "A folder of behaviors or motion files to install on every robot, beside\n"
                       "those shipped here. Repeat it for more.");

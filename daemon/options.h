@@ -42,6 +42,8 @@ struct Options {
   double step = 0.002;               // [s] of the physics
   sim::Mode mode = sim::Mode::Implicit;
   std::uint64_t seed = 0;  // 0: no variation, every run is the same
+  std::string data_dir;    // clients' files are below it; empty: they have none
+  std::string naoqi;       // whose version services and wire are like; empty: the robot's own
   bool strict = false;     // open connections as libqi 4 does, not as older NAOqi
 };
 

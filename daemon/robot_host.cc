@@ -30,14 +30,19 @@ RobotHost::RobotHost(const HostContext& context, std::size_t robot)
 
 rpc::HubOptions RobotHost::hubOptions(const HostContext& context) {
   rpc::HubOptions options;
-  options.personality =
-      context.options.strict ? rpc::Personality::libqi4() : rpc::Personality::naoqi();
+  options.personality = personality(context);
   options.machine_id = machineId();
   options.process_id = static_cast<std::uint32_t>(::getpid());
   options.credentials = context.credentials;
   options.call_later = services_.later();
   options.clock = [this] { return services_.now(); };
   return options;
+}
+
+rpc::Personality RobotHost::personality(const HostContext& context) const {
+  if (context.options.strict) return rpc::Personality::libqi4();
+  if (!context.options.naoqi.empty()) return rpc::Personality::naoqi(context.options.naoqi);
+  return rpc::Personality::naoqiOf(link_.model().version);
 }
 
 services::RobotServicesSetup RobotHost::servicesSetup(const HostContext& context,
@@ -52,6 +57,8 @@ services::RobotServicesSetup RobotHost::servicesSetup(const HostContext& context
   if (std::filesystem::is_directory(own)) setup.behaviors.push_back(own);
   for (const std::string& folder : context.options.behaviors) setup.behaviors.push_back(folder);
   setup.scripts = scriptLauncher(context);
+  setup.personality = personality(context);
+  setup.data_dir = context.options.data_dir;
   setup.log = [](const std::string& text) { spdlog::info("{}", text); };
   setup.warn = [](const std::string& text) { spdlog::warn("{}", text); };
   return setup;

@@ -50,6 +50,7 @@ class RobotHost {
 
  private:
   rpc::HubOptions hubOptions(const HostContext& context);
+  rpc::Personality personality(const HostContext& context) const;
   services::RobotServicesSetup servicesSetup(const HostContext& context, std::size_t robot);
   services::ScriptLauncher scriptLauncher(const HostContext& context);
 

@@ -12,6 +12,9 @@ using Capabilities = std::map<std::string, bool>;
 
 /// Which server the endpoint behaves like where versions differ.
 struct Personality {
+  std::string version = "2.1.4.13";  // in full, as ALSystem.systemVersion tells it
+  int release = 201;                 // 100 * major + minor, for tables of differences
+
   Capabilities capabilities;
 
   /// A first message that is no authentication: NAOqi 2.1 to 2.8 answer it (and send their
@@ -25,6 +28,12 @@ struct Personality {
 
   /// The robot's NAOqi 2.1 to 2.8: the default.
   static Personality naoqi();
+  /// A NAOqi by its version: 1.12, 1.14, 2.1, 2.5, 2.8 or 2.9, or a longer text that begins so.
+  /// 1.x changes names and shapes; its wire is that of 2.1. @throws InputError for any other.
+  static Personality naoqi(const std::string& version);
+  /// The NAOqi that ran on a robot of this hardware version, such as "V3.3", with capabilities
+  /// that are of use to clients of every version.
+  static Personality naoqiOf(const std::string& robot_version);
   /// A libqi 4 server, as the captures show it.
   static Personality libqi4();
 };

@@ -102,6 +102,12 @@ class Service {
   /// The same for all methods declared so far that are the service's own.
   Service& allAnswering(Answer answer);
 
+  /// Hands every method to `change`, before any client knows of it.
+  template <class Change>
+  void change(const Change& change) {
+    for (auto& [uid, method] : methods_) change(method);
+  }
+
   /// Members that follow count from this uid.
   Service& startAt(std::uint32_t uid);
 

@@ -1,0 +1,86 @@
+#include "naoqi_api/services/version_shapes.h"
+
+#include <gtest/gtest.h>
+
+#include "core/check.h"
+#include "tests/naoqi_api/services/services_bench.h"
+
+namespace nao::services {
+namespace {
+
+using rpc::Personality;
+using rpc::Value;
+
+/// A robot of one NAOqi.
+class Robot {
+ public:
+  explicit Robot(const std::string& naoqi)
+      : bench_(loadRobotModel(std::string(NAO_SOURCE_DIR) + "/robots", "nao_h25_v50")),
+        services_(bench_.link, setup(naoqi)),
+        hub_({}) {
+    services_.addTo(hub_);
+    bench_.run(0.05);
+  }
+  Value call(const std::string& service, const std::string& method,
+             const std::vector<Value>& arguments = {}) {
+    return bench_.call(*hub_.findService(service), method, arguments);
+  }
+
+ private:
+  RobotServicesSetup setup(const std::string& naoqi) {
+    RobotServicesSetup setup;
+    setup.ports = bench_.ports;
+    setup.images = std::make_shared<camera::ImageFeed>();
+    setup.personality = Personality::naoqi(naoqi);
+    return setup;
+  }
+  RobotBench bench_;
+  RobotServices services_;
+  rpc::ServiceHub hub_;
+};
+
+std::size_t limitsOfHeadYaw(Robot& robot) {
+  const Value limits = robot.call("ALMotion", "getLimits", {"HeadYaw"});
+  return limits.findItems()->front().findItems()->size();
+}
+
+TEST(VersionShapes, TheFourthLimitCameWith114) {
+  Robot old("1.12");
+  Robot later("1.14");
+  EXPECT_EQ(limitsOfHeadYaw(old), 3U);
+  EXPECT_EQ(limitsOfHeadYaw(later), 4U);
+}
+
+TEST(VersionShapes, From28OnMovesTellTheirSuccess) {
+  Robot before("2.5");
+  Robot since("2.8");
+  EXPECT_TRUE(before.call("ALMotion", "wakeUp").isVoid());
+  EXPECT_EQ(since.call("ALMotion", "wakeUp"), Value(true));
+}
+
+TEST(VersionShapes, EveryServiceTellsTheVersion) {
+  Robot robot("1.14.1");
+  EXPECT_EQ(robot.call("ALMemory", "version"), Value("1.14.1"));
+  EXPECT_EQ(robot.call("ALSystem", "systemVersion"), Value("1.14.1"));
+}
+
+TEST(VersionShapes, ARobotHasTheNaoqiThatRanOnIt) {
+  EXPECT_EQ(Personality::naoqiOf("V3.3").release, 114);
+  EXPECT_EQ(Personality::naoqiOf("V5.0").release, 201);
+  EXPECT_EQ(Personality::naoqiOf("V6.0").release, 208);
+  EXPECT_EQ(Personality::naoqiOf("").release, 201);
+  EXPECT_THROW(Personality::naoqi("3.0"), InputError);
+}
+
+TEST(VersionShapes, TheWireOf29IsStrictAndAllOthersAreNot) {
+  for (const char* version : {"1.12", "1.14", "2.1", "2.5", "2.8"}) {
+    EXPECT_FALSE(Personality::naoqi(version).needs_authentication) << version;
+    EXPECT_EQ(Personality::naoqi(version).service_info, ServiceInfoFields::Six) << version;
+  }
+  EXPECT_TRUE(Personality::naoqi("2.9").needs_authentication);
+  EXPECT_EQ(Personality::naoqi("2.9").service_info, ServiceInfoFields::Seven);
+  EXPECT_FALSE(Personality::naoqi("2.5").capabilities.at("ObjectPtrUID"));
+}
+
+}  // namespace
+}  // namespace nao::services
