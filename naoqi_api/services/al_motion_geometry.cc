@@ -25,7 +25,11 @@ void checkSpace(int space) {
 }
 
 motion::Effector effectorNamed(const RobotModel& model, const std::string& name) {
-  const auto place = motion::findEffector(model, name);
+  auto place = motion::findEffector(model, name);
+  // A hand's motor moves no link of the model: its place is the end of its arm.
+  if (!place && (name == "LHand" || name == "RHand") && model.findJoint(name)) {
+    place = motion::findEffector(model, name.substr(0, 1) + "Arm");
+  }
   if (!place) throw rpc::CallError("unknown chain, joint or sensor name: " + name);
   return *place;
 }

@@ -106,6 +106,19 @@ class AlVideoDevice {
   int getParamOf(int parameter, int camera) const { return getParameter(camera, parameter); }
   void setParamDefault(int parameter);
 
+  // Several cameras in one window
+  std::string subscribeCameras(const rpc::Caller& caller, const std::string& name,
+                               const rpc::Value& cameras, const rpc::Value& resolutions,
+                               const rpc::Value& color_spaces, int frame_rate);
+  bool unsubscribeAny(const std::string& name);
+  rpc::Pending<rpc::Value> getImagesRemote(const std::string& name);
+  const std::vector<std::string>& windowsOf(const std::string& name) const;  // @throws CallError
+
+  void describeMore(rpc::Service& service);
+  void describeGeometry(rpc::Service& service);
+  void describeSeveral(rpc::Service& service);
+  void describeSeveralSettings(rpc::Service& service);
+  void describeOldNames(rpc::Service& service);
   void describeWindows(rpc::Service& service);
   void describeWindowSettings(rpc::Service& service);
   void describeCameras(rpc::Service& service);
@@ -131,8 +144,9 @@ class AlVideoDevice {
   std::shared_ptr<const RobotModel> robot_;
   std::shared_ptr<camera::ImageFeed> feed_;
   Duration epoch_;
-  std::map<std::string, Window> windows_;     // by handle
-  std::vector<CameraParameters> parameters_;  // by camera
+  std::map<std::string, Window> windows_;                    // by handle
+  std::map<std::string, std::vector<std::string>> several_;  // handles, by that of them all
+  std::vector<CameraParameters> parameters_;                 // by camera
   std::set<std::uint64_t> watched_sessions_;
   int active_camera_ = 0;
   std::shared_ptr<AlVideoDevice*> alive_ = std::make_shared<AlVideoDevice*>(this);

@@ -27,6 +27,7 @@ rpc::Service AlVideoDevice::describe() {
   describeCameras(service);
   describeParameters(service);
   describeWindowParameters(service);
+  describeMore(service);
   return service;
 }
 
@@ -39,7 +40,7 @@ void AlVideoDevice::describeWindows(rpc::Service& service) {
       .method("subscribe", this, &Self::subscribe,
               "Opens a window on the active camera, whichever that is. Returns its handle.", name(),
               resolution(), colorSpace(), frameRate())
-      .method("unsubscribe", this, &Self::unsubscribe, "Closes a window.", handle())
+      .method("unsubscribe", this, &Self::unsubscribeAny, "Closes a window.", handle())
       .method("unsubscribeAllInstances", this, &Self::unsubscribeAllInstances,
               "Closes all windows of a subscriber.", name())
       .method("getSubscribers", this, &Self::getSubscribers, "The handles of all open windows.")

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+
+#include "camera/image.h"
+
+namespace nao::services {
+
+/// A ball in a picture, in parts of its width and height.
+struct SeenBall {
+  double x = 0;         // 0 left to 1 right, of its middle
+  double y = 0;         // 0 top to 1 bottom
+  double diameter = 0;  // of the width
+};
+
+/// The largest red or orange patch of an RGB picture that is about as round as a ball; nothing if
+/// there is none.
+std::optional<SeenBall> findRedBall(const camera::Image& image);
+
+}  // namespace nao::services
