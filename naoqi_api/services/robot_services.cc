@@ -6,12 +6,17 @@
 #include "naoqi_api/services/al_animation_player.h"
 #include "naoqi_api/services/al_behavior_manager.h"
 #include "naoqi_api/services/al_frame_manager.h"
+#include "naoqi_api/services/al_leds.h"
 #include "naoqi_api/services/al_motion.h"
 #include "naoqi_api/services/al_robot_posture.h"
 #include "naoqi_api/services/audio_services.h"
+#include "naoqi_api/services/ball_services.h"
 #include "naoqi_api/services/board_services.h"
+#include "naoqi_api/services/dcm.h"
 #include "naoqi_api/services/idle_extractors.h"
 #include "naoqi_api/services/life_services.h"
+#include "naoqi_api/services/system_services.h"
+#include "naoqi_api/services/version_shapes.h"
 
 namespace nao::services {
 
@@ -21,6 +26,8 @@ RobotServices::RobotServices(RobotLink& link, const RobotServicesSetup& setup)
       video_(link.sharedModel(), setup.images, setup.epoch),
       memory_(link.model(), setup.ports, setup.robot_name, [this] { return now(); }),
       context_{link, memory_, later(), setup.log, setup.warn, setup.data_dir},
+      images_(setup.images),
+      personality_(setup.personality),
       al_memory_(memory_,
                  [this](const std::string& name) {
                    return hub_ ? hub_->findRemote(name) : std::shared_ptr<rpc::RemoteObject>();
@@ -63,12 +70,18 @@ void RobotServices::addTo(rpc::ServiceHub& hub) {
   hub.add(makeAlBehaviorManager(behaviors_));
   hub.add(makeAlAnimationPlayer(behaviors_));
   hub.add(video_.describe());
+  const auto lights = std::make_shared<LedBoard>(link_, context_.later);
+  hub.add(makeAlLeds(context_, lights));
+  hub.add(makeDcm(context_, lights));
   for (const auto& service : makeBoardServices(context_)) hub.add(service);
   for (const auto& service : makeLifeServices(context_)) hub.add(service);
   const Say say = [this](const std::string& text) { return speech_.say(text); };
   for (const auto& service : makeAudioServices(context_, say)) hub.add(service);
+  for (const auto& service : makeBallServices(context_, images_)) hub.add(service);
   for (const auto& service : makeIdleExtractors(context_)) hub.add(service);
+  for (const auto& service : makeSystemServices(context_, behaviors_, hub)) hub.add(service);
   addDocumented(hub);
+  applyVersion(hub, personality_);
 }
 
 void RobotServices::deliver() {

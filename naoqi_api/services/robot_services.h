@@ -30,6 +30,7 @@ struct RobotServicesSetup {
   std::function<void(const std::string&)> log = [](const std::string&) {};
   std::function<void(const std::string&)> warn = [](const std::string&) {};
   std::filesystem::path data_dir;  // where clients' files live; empty: they have none
+  rpc::Personality personality = rpc::Personality::naoqi();  // whose shapes methods have
 };
 
 /// Every service of NaoQi that one robot has, simulated or not. I/O thread.
@@ -57,6 +58,8 @@ class RobotServices {
   AlVideoDevice video_;
   memory::RobotMemory memory_;
   ServiceContext context_;
+  std::shared_ptr<camera::ImageFeed> images_;
+  rpc::Personality personality_;
   rpc::ServiceHub* hub_ = nullptr;
   AlMemory al_memory_;
   MotionEvents motion_events_;
