@@ -56,6 +56,7 @@ std::string Cause::fill(const std::string& joint, const std::string& value) cons
 Cause boundedAt(const Cause& cause, const JointSimulator& joint,
                 const sim::EffectCatalogue& catalogue) {
   Cause bounded = cause;
+  bounded.joints = joint.place();
   const sim::EffectType* type = catalogue.find(cause.effect);
   if (type == nullptr) return bounded;
   for (FreeNumber& number : bounded.free) {
@@ -88,6 +89,7 @@ EffectSetting settingOf(const Cause& cause, const std::vector<double>& numbers) 
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     setting.parameters[cause.free[i].parameter] = shownValue(cause.free[i], numbers[i]);
   }
+  setting.joints = cause.joints;
   return setting;
 }
 

@@ -37,6 +37,7 @@ struct Cause {
   std::string effect;
   std::vector<FreeNumber> free;  // the first is its size; the others shape it
   Scope scope = Scope::Joint;
+  std::vector<Joint> joints{};  // it acts on; filled in by boundedAt(); empty: all
   /// The response is nearly proportional to the size, so that one look serves both signs.
   bool linear = true;
   /// Sizes to look at one by one, where the response to one says nothing of the next: a clock that
@@ -56,8 +57,8 @@ struct Cause {
 /// The causes that a single joint's angle (and current) can show, in the order of the report.
 const std::vector<Cause>& jointCauses();
 
-/// `cause` with units and bounds of the catalogue's effect, as far as this joint's model allows: a
-/// play can shrink by no more than there is.
+/// `cause` at this joint, with units and bounds of the catalogue's effect, as far as the joint's
+/// model allows: a play can shrink by no more than there is.
 Cause boundedAt(const Cause& cause, const JointSimulator& joint,
                 const sim::EffectCatalogue& catalogue);
 
@@ -68,7 +69,7 @@ constexpr double kFurthest = 1.5;
 /// first.
 std::vector<std::vector<double>> startsOf(const Cause& cause);
 
-/// The setting that stands for these numbers, one per `cause.free`, on all joints it is given to.
+/// The setting that stands for these numbers, one per `cause.free`, on the cause's joints.
 EffectSetting settingOf(const Cause& cause, const std::vector<double>& numbers);
 
 /// The parameter's value that a number stands for, as a person reads it.

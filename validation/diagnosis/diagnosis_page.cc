@@ -137,8 +137,11 @@ std::string diagnosisPage(const SetDiagnosis& diagnosis, const std::vector<Joint
   NAO_CHECK(tasks.size() == diagnosis.joints.size());
   std::vector<Examined> joints;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
-    Examined one{
-        &diagnosis.joints[i], &tasks[i], foundEffects(diagnosis, diagnosis.joints[i]), {}, {}};
+    Examined one{&diagnosis.joints[i],
+                 &tasks[i],
+                 foundEffects(diagnosis, diagnosis.joints[i], tasks[i].joint->place()),
+                 {},
+                 {}};
     one.before = replayJoint(*tasks[i].joint, {}, tasks[i].noise, kRuns, kSeen);
     one.after = replayJoint(*tasks[i].joint, one.found, tasks[i].noise, kRuns, kSeen);
     joints.push_back(std::move(one));

@@ -42,10 +42,14 @@ Series curve(const std::string& label, double dt, const Eigen::VectorXd& angle, 
 
 }  // namespace
 
-std::vector<EffectSetting> foundEffects(const SetDiagnosis& diagnosis, const JointVerdict& joint) {
+std::vector<EffectSetting> foundEffects(const SetDiagnosis& diagnosis, const JointVerdict& joint,
+                                        const std::vector<Joint>& place) {
   std::vector<EffectSetting> effects;
   for (const SharedFinding& one : diagnosis.shared) effects.push_back(settingOf(one.finding));
-  for (const Finding& finding : joint.findings) effects.push_back(settingOf(finding));
+  for (const Finding& finding : joint.findings) {
+    effects.push_back(settingOf(finding));
+    effects.back().joints = place;
+  }
   return effects;
 }
 

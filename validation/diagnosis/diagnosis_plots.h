@@ -8,9 +8,10 @@
 
 namespace nao::validation {
 
-/// The effects that stand for what was found at a joint, those that all joints share included:
-/// numbers that were not fitted do nothing.
-std::vector<EffectSetting> foundEffects(const SetDiagnosis& diagnosis, const JointVerdict& joint);
+/// The effects that stand for what was found at a joint, at its `place` (JointSimulator::place),
+/// those that all joints share included: numbers that were not fitted do nothing.
+std::vector<EffectSetting> foundEffects(const SetDiagnosis& diagnosis, const JointVerdict& joint,
+                                        const std::vector<Joint>& place);
 
 /// One joint in one motion: mean of the repeats against mean of simulated runs.
 struct JointCourse {

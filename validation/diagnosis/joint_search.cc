@@ -54,15 +54,21 @@ void JointSearch::begin() {
   split_ratio_ = splitRatio();
 }
 
+EffectSetting JointSearch::sharedSetting(std::size_t cause, double x) const {
+  EffectSetting setting = settingOf(causes_[cause], {x});
+  setting.joints.clear();
+  return setting;
+}
+
 void JointSearch::give(std::size_t cause, double x) {
-  ensemble_.setGiven({settingOf(causes_[cause], {x})});
+  ensemble_.setGiven({sharedSetting(cause, x)});
   given_ = {cause};
   enter(stageOf({}, Eigen::MatrixXd(data_.size(), 0)));
 }
 
 double JointSearch::costOf(std::size_t cause, double x) {
   const Eigen::VectorXd base = ensemble_.mean({}, effort_.final_runs);
-  const Eigen::VectorXd mean = ensemble_.mean({settingOf(causes_[cause], {x})}, effort_.final_runs);
+  const Eigen::VectorXd mean = ensemble_.mean({sharedSetting(cause, x)}, effort_.final_runs);
   return half(stage_->white(stage_->raw() - (mean - base))) - half(stage_->white(stage_->raw()));
 }
 

@@ -56,6 +56,7 @@ class JointSearch {
     std::vector<Candidate> rivals;
   };
 
+  EffectSetting sharedSetting(std::size_t cause, double x) const;  // on all joints
   std::unique_ptr<Stage> stageOf(const CauseList& model, const Eigen::MatrixXd& jacobian);
   void enter(std::unique_ptr<Stage> stage);
   void enterModel(const ModelFit& fit);

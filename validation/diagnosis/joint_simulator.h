@@ -38,6 +38,9 @@ class JointSimulator {
   virtual std::string joint() const = 0;
   virtual const std::vector<JointMotion>& measured() const = 0;
 
+  /// Where causes of this joint alone act, for EffectSetting::joints.
+  virtual std::vector<Joint> place() const { return {}; }
+
   /// One run of measured()[motion] with the model's own effects and these, on the grid of its
   /// repeats; the same `stream` draws the same random numbers whatever the causes. Noise of zero:
   /// the noise-free run.

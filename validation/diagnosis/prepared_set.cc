@@ -1,6 +1,5 @@
 #include "validation/diagnosis/prepared_set.h"
 
-
 #include "validation/diagnosis/shared_cause.h"
 
 namespace nao::validation {
