@@ -30,7 +30,13 @@ std::vector<bool> keptLimbs(const RobotModel& model, const std::vector<std::size
       kept[limb[static_cast<std::size_t>(c) + 1]] = true;
     }
   }
-  for (bool grown = true; grown;) {  // motors that two limbs share
+  return kept;
+}
+
+// And those with which they share motors.
+std::vector<bool> withSharers(const RobotModel& model, const std::vector<std::size_t>& limb,
+                              std::vector<bool> kept) {
+  for (bool grown = true; grown;) {
     grown = false;
     for (const Actuator& motor : model.actuators) {
       const auto& hinges = motor.coordinates;
@@ -86,8 +92,12 @@ class Cutter {
   void keepMotors() {
     for (std::size_t j = 0; j < model_.jointCount(); ++j) {
       Actuator motor = model_.actuators[j];
-      if (motor.coordinates.empty() || bodies_.count(motor.coordinates[0] + 1) == 0) continue;
-      for (int& c : motor.coordinates) c = bodies_.at(c + 1) - 1;
+      std::vector<int> hinges;
+      for (const int c : motor.coordinates) {
+        if (bodies_.count(c + 1) > 0) hinges.push_back(bodies_.at(c + 1) - 1);
+      }
+      if (hinges.empty()) continue;
+      motor.coordinates = hinges;
       joints_[toJoint(j)] = toJoint(cut_.actuators.size());
       cut_.actuators.push_back(std::move(motor));
     }
@@ -155,7 +165,13 @@ RobotModel cutLimbs(const RobotModel& model, const std::vector<std::string>& joi
   if (!model.fixed_base) {
     throw InputError("limbs can be cut from a robot with a fixed base only: suspend " + model.name);
   }
-  return Cutter(model, keptLimbs(model, limbsOf(model), joints)).take();
+  const std::vector<std::size_t> limb = limbsOf(model);
+  return Cutter(model, withSharers(model, limb, keptLimbs(model, limb, joints))).take();
+}
+
+RobotModel cutLimbOf(const RobotModel& model, const std::string& joint) {
+  if (!model.fixed_base) return cutLimbs(model, {joint});  // says what is wrong
+  return Cutter(model, keptLimbs(model, limbsOf(model), {joint})).take();
 }
 
 }  // namespace nao::validation

@@ -22,4 +22,8 @@ RobotModel stripped(const RobotModel& model);
 /// or a name it does not have.
 RobotModel cutLimbs(const RobotModel& model, const std::vector<std::string>& joints);
 
+/// The limb of one joint alone, for what it feels of its neighbours: a motor that another limb
+/// shares turns its hinge here only, unless it is the joint itself. Errors as cutLimbs().
+RobotModel cutLimbOf(const RobotModel& model, const std::string& joint);
+
 }  // namespace nao::validation

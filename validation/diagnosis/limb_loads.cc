@@ -25,6 +25,19 @@ std::string keyOf(std::size_t motion, const std::vector<EffectSetting>& effects)
   return key.str();
 }
 
+// The limb of a joint without the limbs that share motors with it, if those motors only hold.
+RobotModel limbOf(const RigSet& set, Joint joint) {
+  const RobotModel& model = set.model();
+  const std::string& name = model.actuators[index(joint)].name;
+  for (std::size_t j = 0; j < model.jointCount(); ++j) {
+    if (model.actuators[j].coordinates.size() < 2) continue;
+    for (std::size_t m = 0; m < set.motions().size(); ++m) {
+      if (!set.measured(m).assumed[j]) return cutLimbs(model, {name});
+    }
+  }
+  return cutLimbOf(model, name);
+}
+
 std::vector<Joint> limitersOf(const RobotModel& limb, Joint joint) {
   std::vector<Joint> others;
   for (const CoupledLimit& limit : limb.coupled_limits) {
@@ -39,7 +52,7 @@ std::vector<Joint> limitersOf(const RobotModel& limb, Joint joint) {
 
 LimbLoads::LimbLoads(const RigSet& set, Joint joint, Duration step)
     : set_(set),
-      limb_(cutLimbs(set.model(), {set.model().actuators[index(joint)].name})),
+      limb_(limbOf(set, joint)),
       joint_(*limb_.findJoint(set.model().actuators[index(joint)].name)),
       memo_(kRemembered) {
   for (std::size_t j = 0; j < limb_.jointCount(); ++j) {
