@@ -4,6 +4,7 @@
 
 #include "core/check.h"
 #include "core/world_model.h"
+#include "sim/motor_heat.h"
 #include "sim/robot_body.h"
 
 namespace nao::sim {
@@ -16,28 +17,28 @@ class Player {
       : model_(model),
         step_(step),
         effects_(catalogue, effects, model, step, seed, model.name),
-        body_(planOf()) {
-    frame_.angle = frame_.current = JointArray<double>(model.jointCount());
+        body_(planOf()),
+        heat_(model) {
+    frame_.angle = JointArray<double>(model.jointCount());
   }
 
   void place(const JointCommand& order) { body_.place({}, order.angle); }
 
-  void play(const JointCommand& order, long steps) {
-    for (; steps > 0; --steps) {
-      JointCommand followed = order;
-      effects_.alterCommand(followed, now_, toSeconds(step_));
-      body_.step(followed, termsFor(followed), {}, toSeconds(step_));
-      now_ += step_;
-    }
+  void step(const JointCommand& order) {
+    followed_ = order;
+    effects_.alterCommand(followed_, now_, toSeconds(step_));
+    body_.step(followed_, termsFor(followed_), {}, toSeconds(step_));
+    now_ += step_;
   }
 
   const TreeState& state() const { return body_.tree(); }
 
-  Eigen::RowVectorXd report() {
+  const SensorFrame& report() {
+    frame_.time = now_;
     for (std::size_t j = 0; j < model_.jointCount(); ++j) frame_.angle[j] = body_.angle(toJoint(j));
+    heat_.sample(body_.drive().torque(), toSeconds(model_.cycle), frame_);
     effects_.alterSensors(frame_, model_.cycle);
-    return Eigen::Map<const Eigen::RowVectorXd>(frame_.angle.begin(),
-                                                static_cast<Eigen::Index>(model_.jointCount()));
+    return frame_;
   }
 
  private:
@@ -60,37 +61,55 @@ class Player {
   Duration step_;
   EffectChain effects_;
   RobotBody body_;
+  MotorHeat heat_;
+  JointCommand followed_;
   DriveTerms terms_;
   SensorFrame frame_;
   SimTime now_{};
 };
 
+Eigen::RowVectorXd rowOf(const JointArray<double>& values) {
+  return Eigen::Map<const Eigen::RowVectorXd>(values.begin(),
+                                              static_cast<Eigen::Index>(values.size()));
+}
+
+HingeMotion roomFor(const RobotModel& model, std::size_t orders, int per_cycle) {
+  const auto rows = static_cast<Eigen::Index>(orders), kept = (rows - 1) * per_cycle + 1;
+  const auto hinges = static_cast<Eigen::Index>(model.coordinates.size());
+  const auto joints = static_cast<Eigen::Index>(model.jointCount());
+  return {toSeconds(model.cycle) / per_cycle, Eigen::MatrixXd(kept, hinges),
+          Eigen::MatrixXd(kept, hinges), Eigen::MatrixXd(rows, joints),
+          Eigen::MatrixXd(rows, joints)};
+}
+
 }  // namespace
 
 HingeMotion runHinges(const RobotModel& model, const std::vector<EffectSetting>& effects,
-                      const std::vector<JointCommand>& orders, double settle, Duration step,
-                      int per_cycle, std::uint64_t seed, const EffectCatalogue& catalogue) {
+                      const std::vector<JointCommand>& orders, const HingeRun& run,
+                      const EffectCatalogue& catalogue) {
   if (!model.fixed_base) throw InputError(model.name + ": expected a robot with a fixed base");
-  NAO_CHECK(!orders.empty() && per_cycle > 0 && model.cycle % (per_cycle * step) == Duration(0));
-  const long steps = model.cycle / per_cycle / step;
-  const auto kept = static_cast<Eigen::Index>(orders.size() - 1) * per_cycle + 1;
-  const auto hinges = static_cast<Eigen::Index>(model.coordinates.size());
-  HingeMotion motion{toSeconds(model.cycle) / per_cycle, Eigen::MatrixXd(kept, hinges),
-                     Eigen::MatrixXd(kept, hinges),
-                     Eigen::MatrixXd(static_cast<Eigen::Index>(orders.size()),
-                                     static_cast<Eigen::Index>(model.jointCount()))};
-  Player player(model, effects, step, seed, catalogue);
+  NAO_CHECK(!orders.empty() && run.per_cycle > 0 &&
+            model.cycle % (run.per_cycle * run.step) == Duration(0));
+  const long row_steps = model.cycle / run.step, kept_steps = row_steps / run.per_cycle;
+  const long late = std::lround(run.late / toSeconds(run.step));
+  const auto rows = static_cast<long>(orders.size());
+  const long rest = std::lround(run.settle / toSeconds(model.cycle));
+  HingeMotion motion = roomFor(model, orders.size(), run.per_cycle);
+  Player player(model, effects, run.step, run.seed, catalogue);
   player.place(orders.front());
-  for (long row = std::lround(settle / toSeconds(model.cycle)); row > 0; --row) {
-    player.report();
-    player.play(orders.front(), steps * per_cycle);
-  }
-  for (Eigen::Index i = 0; i < kept; ++i) {
-    const Eigen::Index row = i / per_cycle;
-    if (i % per_cycle == 0) motion.reported.row(row) = player.report();
-    motion.q.row(i) = player.state().q;
-    motion.u.row(i) = player.state().u;
-    player.play(orders[static_cast<std::size_t>(row)], steps);
+  long row = 0;  // whose orders act
+  for (long step = -rest * row_steps; step <= (rows - 1) * row_steps; ++step) {
+    if (step % row_steps == 0) {
+      const SensorFrame& frame = player.report();
+      if (step >= 0) motion.reported.row(step / row_steps) = rowOf(frame.angle);
+      if (step >= 0) motion.current.row(step / row_steps) = rowOf(frame.current);
+    }
+    if (step >= 0 && step % kept_steps == 0) {
+      motion.q.row(step / kept_steps) = player.state().q;
+      motion.u.row(step / kept_steps) = player.state().u;
+    }
+    while (row + 1 < rows && (row + 1) * row_steps + late <= step) ++row;
+    player.step(orders[static_cast<std::size_t>(row)]);
   }
   return motion;
 }

@@ -1,5 +1,6 @@
 // Hides effects in sets and lets `usarnaoqi diagnose` find them: usarnaoqi-bench-diagnosis.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -53,12 +54,25 @@ std::map<std::string, std::string> readDone(const fs::path& file) {
   return done;
 }
 
+// Those of the preset that --kind leaves.
+std::vector<HiddenCase> chosenCases(const Arguments& arguments) {
+  std::vector<HiddenCase> cases = makeCases(arguments.counts, arguments.seed);
+  if (arguments.kind.empty()) return cases;
+  const auto is_other = [&](const HiddenCase& one) { return nameOf(one.kind) != arguments.kind; };
+  cases.erase(std::remove_if(cases.begin(), cases.end(), is_other), cases.end());
+  if (cases.empty()) {
+    throw InputError("--kind: expected a kind of set that preset " + arguments.preset +
+                     " holds, such as single or exact_null, found '" + arguments.kind + "'");
+  }
+  return cases;
+}
+
 void run(const Arguments& arguments) {
   const Shard shard = parseShard(arguments.shard);
   const fs::path results = fs::path(arguments.place.folder) / "results.jsonl";
   fs::create_directories(results.parent_path());
   std::map<std::string, std::string> done = readDone(results);
-  const std::vector<HiddenCase> cases = makeCases(arguments.counts, arguments.seed);
+  const std::vector<HiddenCase> cases = chosenCases(arguments);
   const auto begun = std::chrono::steady_clock::now();
   const auto seconds = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
@@ -67,7 +81,6 @@ void run(const Arguments& arguments) {
   int made = 0;
   for (std::size_t i = shard.index; i < cases.size(); i += shard.count) {
     const std::string name = cases[i].name();
-    if (!arguments.kind.empty() && nameOf(cases[i].kind) != arguments.kind) continue;
     if (done.count(name) == 0) {
       if (arguments.most > 0 && made == arguments.most) break;
       done[name] = runTrial(cases[i], arguments.place);

@@ -3,7 +3,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <map>
 
 #include "validation/diagnosis/least_squares.h"
 
@@ -27,27 +27,6 @@ void append(FitSpace& space, const Cause& cause, const std::vector<double>& x) {
   }
 }
 
-// Rough causes have several valleys: the size that fits best of a widely, then a finely spaced row.
-std::vector<double> scanned(
-    const std::function<Eigen::VectorXd(const std::vector<double>&)>& residual,
-    const FitSpace& space) {
-  std::vector<double> best = space.start;
-  double least = residual(best).squaredNorm();
-  for (const std::vector<double>& row :
-       {std::vector<double>{0.4, 0.63, 1.6, 2.5}, {0.8, 1.25}, {0.9, 1.11}}) {
-    const std::vector<double> centre = best;
-    for (const double factor : row) {
-      std::vector<double> x = centre;
-      x[0] = std::clamp(x[0] * factor, space.lower[0], space.upper[0]);
-      const double cost = residual(x).squaredNorm();
-      if (cost >= least) continue;
-      least = cost;
-      best = x;
-    }
-  }
-  return best;
-}
-
 CauseList withNumbers(CauseList model, const std::vector<double>& numbers) {
   std::size_t next = 0;
   for (Chosen& one : model) {
@@ -56,71 +35,215 @@ CauseList withNumbers(CauseList model, const std::vector<double>& numbers) {
   return model;
 }
 
+// Sizes of one cause beside a stage's model.
+class SizeSearch {
+ public:
+  struct Point {
+    std::vector<double> x;
+    double gain = 0, scale = 0;  // of x, that would be best if the cause were linear
+  };
+
+  SizeSearch(Ensemble& ensemble, const Stage& stage, const std::vector<Cause>& causes,
+             std::size_t cause, const Effort& effort)
+      : ensemble_(ensemble),
+        stage_(stage),
+        causes_(causes),
+        cause_(cause),
+        effort_(effort),
+        residual_(stage.white(stage.raw())) {}
+
+  Point at(const std::vector<double>& x) const {
+    CauseList with = stage_.model();
+    with.push_back({cause_, x});
+    const Halves change =
+        ensemble_.halves(settingsOf(causes_, with), effort_.look_runs) - stage_.quickBase();
+    const Explained explained(stage_.white(change), residual_);
+    return {x, explained.gain(), explained.bestScale()};
+  }
+
+  // Rough causes have several valleys: the best size of a widely, then a finely spaced row.
+  Point scanned(Point best) const {
+    for (const std::vector<double>& row :
+         {std::vector<double>{0.4, 0.63, 1.6, 2.5}, {0.8, 1.25}, {0.9, 1.11}}) {
+      const std::vector<double> centre = best.x;
+      for (const double factor : row) {
+        const Point point = at(scaled(centre, factor));
+        if (point.gain > best.gain) best = point;
+      }
+    }
+    return best;
+  }
+
+  // A look was scaled too far if nothing is gained there: half as far, and again.
+  Point shortened(Point best) const {
+    for (int i = 0; i < kShortened && best.gain <= 0; ++i) best = at(scaled(best.x, 0.5));
+    return best;
+  }
+
+  // To where the cause would be best if it were linear, until it hardly moves.
+  Point followed(Point best) const {
+    for (int i = 0; i < kFollowed; ++i) {
+      const std::vector<double> x = scaled(best.x, std::clamp(best.scale, 1 / kFar, kFar));
+      if (std::abs(x[0] - best.x[0]) < kNear * std::abs(best.x[0])) break;
+      const Point next = at(x);
+      if (next.gain <= best.gain) break;
+      best = next;
+    }
+    return best;
+  }
+
+ private:
+  static constexpr int kFollowed = 3, kShortened = 3;
+  static constexpr double kFar = 3, kNear = 0.08;
+
+  std::vector<double> scaled(std::vector<double> x, double factor) const {
+    const FreeNumber& size = causes_[cause_].free[0];
+    x[0] = std::clamp(x[0] * factor, size.lower, size.upper);
+    return x;
+  }
+
+  Ensemble& ensemble_;
+  const Stage& stage_;
+  const std::vector<Cause>& causes_;
+  std::size_t cause_;
+  const Effort& effort_;
+  Eigen::VectorXd residual_;
+};
+
+// What a model's numbers change of the prediction, by ensembles of final_runs; remembers.
+class ModelChanges {
+ public:
+  ModelChanges(Ensemble& ensemble, const Stage& stage, const std::vector<Cause>& causes,
+               const CauseList& start, const Effort& effort)
+      : ensemble_(ensemble),
+        stage_(stage),
+        causes_(causes),
+        start_(start),
+        effort_(effort),
+        base_(ensemble.halves(settingsOf(causes, stage.model()), effort.final_runs)) {}
+
+  const Halves& at(const std::vector<double>& numbers) {
+    const auto known = seen_.find(numbers);
+    if (known != seen_.end()) return known->second;
+    const auto settings = settingsOf(causes_, withNumbers(start_, numbers));
+    return seen_[numbers] = ensemble_.halves(settings, effort_.final_runs) - base_;
+  }
+
+  double gain(const std::vector<double>& numbers) {
+    return Explained(stage_.whitenFit(at(numbers)), stage_.whitenFit(stage_.raw())).gain();
+  }
+
+  Halves slope(const FitSpace& space, std::size_t i, const std::vector<double>& numbers) {
+    std::vector<double> beside = numbers;
+    beside[i] += differenceStep(space, i, numbers[i]);
+    return (at(beside) - at(numbers)) * (1 / (beside[i] - numbers[i]));
+  }
+
+  // Widens a number's step until its difference is more than chance, up to half the number.
+  void widen(FitSpace& space, std::size_t i) {
+    const double most = kWidest * std::abs(space.start[i]);
+    while (space.step[i] < most) {
+      if (stage_.whitenFit(slope(space, i, space.start)).coherence() > kCoherent) return;
+      space.step[i] =
+          std::min(kWider * std::max(space.step[i], 0.05 * std::abs(space.start[i])), most);
+    }
+  }
+
+ private:
+  static constexpr double kCoherent = 0.8, kWidest = 0.5, kWider = 3;
+
+  Ensemble& ensemble_;
+  const Stage& stage_;
+  const std::vector<Cause>& causes_;
+  const CauseList& start_;
+  const Effort& effort_;
+  Halves base_;
+  std::map<std::vector<double>, Halves> seen_;
+};
+
+// Of a look, below which a linear cause is better known by the look than by what it does itself:
+// that is mostly chance. Free choice.
+constexpr double kSmall = 0.4;
+
+// The nearest look at a linear cause that is so much larger; null if there is none.
+const Look* widerLook(const Stage& stage, const std::vector<Cause>& causes, std::size_t cause,
+                      const std::vector<double>& x) {
+  const Look* nearest = nullptr;
+  if (!causes[cause].linear) return nearest;
+  for (const Look& look : stage.looks()) {
+    if (look.cause != cause || std::abs(x[0]) > kSmall * std::abs(look.x[0])) continue;
+    if (!std::equal(x.begin() + 1, x.end(), look.x.begin() + 1)) continue;
+    if (nearest == nullptr || std::abs(look.x[0]) < std::abs(nearest->x[0])) nearest = &look;
+  }
+  return nearest;
+}
+
+// The model with `cause` as small a part of what it does at the look's size as fits best; the
+// model's own numbers follow linearly.
+ModelFit fitSmall(Ensemble& ensemble, const Stage& stage, const std::vector<Cause>& causes,
+                  const Look& look, const Effort& effort) {
+  ModelFit fit;
+  fit.model = stage.model();
+  const auto before = settingsOf(causes, fit.model);
+  fit.model.push_back({look.cause, look.x});
+  const Halves change = ensemble.halves(settingsOf(causes, fit.model), effort.final_runs) -
+                        ensemble.halves(before, effort.final_runs);
+  const Explained explained(stage.white(change), stage.white(stage.raw()));
+  const double scale = std::clamp(explained.bestScale(), look.lower, look.upper);
+  fit.model.back().x[0] *= scale;
+  fit.change = change * scale;
+  fit.gain = explained.gain(scale);
+  fit.jacobian = stage.jacobian();
+  fit.jacobian.conservativeResize(change.first.size(), fit.jacobian.cols() + 1);
+  fit.jacobian.rightCols(1) = change.mean() / look.x[0];
+  return fit;
+}
+
 }  // namespace
 
-QuickFit fitQuickly(Ensemble& ensemble, const JointData& data, const Stage& stage,
-                    const std::vector<Cause>& causes, std::size_t cause,
-                    const std::vector<double>& x, const Eigen::VectorXd& raw, const CauseList& rest,
-                    const Effort& effort) {
-  (void)data;
-  FitSpace space;
-  append(space, causes[cause], x);
-  space.iterations = 4;
-  const Eigen::VectorXd before = stage.white(raw);
-  const Eigen::VectorXd base = rest.size() == stage.model().size()
-                                   ? stage.lookBase()
-                                   : ensemble.mean(settingsOf(causes, rest), effort.look_runs);
-  const auto residual = [&](const std::vector<double>& numbers) -> Eigen::VectorXd {
-    CauseList with = rest;
-    with.push_back({cause, numbers});
-    const Eigen::VectorXd mean = ensemble.mean(settingsOf(causes, with), effort.look_runs);
-    return stage.white(raw - (mean - base));
-  };
+QuickFit fitQuickly(Ensemble& ensemble, const Stage& stage, const std::vector<Cause>& causes,
+                    std::size_t cause, const std::vector<double>& x, const Effort& effort) {
+  if (const Look* look = widerLook(stage, causes, cause, x)) {
+    return {cause, x, Explained(look->white, stage.white(stage.raw())).gain(x[0] / look->x[0])};
+  }
+  const SizeSearch search(ensemble, stage, causes, cause, effort);
+  SizeSearch::Point best = search.at(x);
   // What was scanned is in its valley; others have to find theirs.
   const std::vector<double>& seen = causes[cause].scan;
   const bool found = std::find(seen.begin(), seen.end(), x[0]) != seen.end();
-  if (!causes[cause].linear && !found) {
-    space.start = scanned(residual, space);
-    const double gain = (before.squaredNorm() - residual(space.start).squaredNorm()) / 2;
-    if (gain <= 0) return {cause, space.start, gain};  // no size helps: no slope will
-  }
-  const FitPoint best = leastSquares(residual, space);
-  return {cause, best.x, before.squaredNorm() / 2 - best.cost};
+  if (!causes[cause].linear && !found) best = search.scanned(best);
+  if (causes[cause].linear) best = search.shortened(best);
+  if (best.gain > 0 && !found) best = search.followed(best);
+  return {cause, best.x, best.gain};
 }
 
 ModelFit fitFully(Ensemble& ensemble, const JointData& data, const Stage& stage,
                   const std::vector<Cause>& causes, const CauseList& start, const Effort& effort) {
+  if (start.size() == stage.model().size() + 1 && start.back().x.size() == 1) {
+    const Chosen& added = start.back();
+    if (const Look* look = widerLook(stage, causes, added.cause, added.x)) {
+      return fitSmall(ensemble, stage, causes, *look, effort);
+    }
+  }
   FitSpace space;
   for (const Chosen& one : start) append(space, causes[one.cause], one.x);
-  const Eigen::VectorXd base = ensemble.mean(settingsOf(causes, stage.model()), effort.final_runs);
-  const auto rawAt = [&](const std::vector<double>& numbers) -> Eigen::VectorXd {
-    const CauseList model = withNumbers(start, numbers);
-    return stage.raw() - (ensemble.mean(settingsOf(causes, model), effort.final_runs) - base);
-  };
-  std::vector<std::pair<std::vector<double>, Eigen::VectorXd>> seen;
-  const FitPoint best = leastSquares(
+  ModelChanges changes(ensemble, stage, causes, start, effort);
+  for (std::size_t i = 0; i < space.start.size(); ++i) changes.widen(space, i);
+  const FitPoint found = leastSquares(
       [&](const std::vector<double>& numbers) -> Eigen::VectorXd {
-        seen.emplace_back(numbers, rawAt(numbers));
-        return stage.whitenFit(seen.back().second);
+        return stage.whitenFit(stage.raw() - changes.at(numbers).mean());
       },
       space);
   ModelFit fit;
-  fit.model = withNumbers(start, best.x);
-  fit.white = best.residual;
-  fit.gain = stage.whitenFit(stage.raw()).squaredNorm() / 2 - best.cost;
-  const auto rawOf = [&](const std::vector<double>& x) {
-    const auto found =
-        std::find_if(seen.rbegin(), seen.rend(), [&](const auto& one) { return one.first == x; });
-    return found != seen.rend() ? found->second : rawAt(x);
-  };
-  fit.raw = rawOf(best.x);
-  fit.jacobian.resize(data.size(), static_cast<Eigen::Index>(best.x.size()));
-  for (std::size_t i = 0; i < best.x.size(); ++i) {  // as least_squares.cc took them: all are seen
-    std::vector<double> beside = best.x;
-    const double step = differenceStep(space, i, best.x[i]);
-    beside[i] += step;
-    fit.jacobian.col(static_cast<Eigen::Index>(i)) =
-        (fit.raw - rawOf(beside)) / (beside[i] - best.x[i]);
+  std::vector<double> best = found.x;
+  fit.gain = changes.gain(best);
+  const double before = changes.gain(space.start);
+  if (before > fit.gain) fit.gain = before, best = space.start;  // chance is no descent
+  fit.model = withNumbers(start, best);
+  fit.change = changes.at(best);
+  fit.jacobian.resize(data.size(), static_cast<Eigen::Index>(best.size()));
+  for (std::size_t i = 0; i < best.size(); ++i) {
+    fit.jacobian.col(static_cast<Eigen::Index>(i)) = changes.slope(space, i, best).mean();
   }
   return fit;
 }
@@ -133,7 +256,6 @@ void moveNumbers(ModelFit& fit, const Eigen::VectorXd& raw, const Stage& stage,
     white.col(i) = stage.whitenFit(fit.jacobian.col(i));
   }
   const Eigen::VectorXd move = white.colPivHouseholderQr().solve(left);
-  fit.raw = raw;
   Eigen::Index column = 0;
   for (Chosen& one : fit.model) {
     for (std::size_t i = 0; i < one.x.size(); ++i, ++column) {
@@ -141,7 +263,6 @@ void moveNumbers(ModelFit& fit, const Eigen::VectorXd& raw, const Stage& stage,
       const bool rough = i == 0 && !causes[one.cause].scan.empty();  // its slope leads nowhere
       const double wanted = rough ? one.x[i] : one.x[i] + move[column];
       const double x = std::clamp(wanted, number.lower, number.upper);
-      fit.raw -= (x - one.x[i]) * fit.jacobian.col(column);
       one.x[i] = x;
     }
   }
@@ -156,7 +277,7 @@ std::vector<QuickFit> startsFor(const Stage& stage, const std::vector<Cause>& ca
     if (gain < least || scale == 0) continue;
     QuickFit start{look.cause, look.x, gain};
     // A rough cause is what it was seen to be, if that helped at all; its sizes are scanned later.
-    const double as_seen = look.white.dot(white) - look.white.squaredNorm() / 2;
+    const double as_seen = Explained(look.white, white).gain();
     if (causes[look.cause].linear || as_seen <= 0) start.x[0] *= scale;
     starts.push_back(std::move(start));
   }

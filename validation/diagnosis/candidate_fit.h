@@ -9,23 +9,21 @@ namespace nao::validation {
 /// A model fitted to a joint's fit motions, all of its numbers at once.
 struct ModelFit {
   CauseList model;
-  Eigen::VectorXd white;     // whitened residual of the fit motions
-  Eigen::VectorXd raw;       // residual of all motions
+  Halves change;             // of the prediction, from the stage's model, all motions
   Eigen::MatrixXd jacobian;  // of the prediction, all motions, a column per number
   double gain = 0;           // over the stage's model [nats]
 };
 
 /// The numbers of `cause` that fit best when it is added to the stage's model, by ensembles of
-/// look_runs, the model's own numbers following linearly. Starts from `x`.
+/// look_runs, the model's own numbers following linearly. Starts from `x` and looks for the size:
+/// further numbers stay.
 struct QuickFit {
   std::size_t cause = 0;
   std::vector<double> x;
   double gain = 0;  // [nats]
 };
-QuickFit fitQuickly(Ensemble& ensemble, const JointData& data, const Stage& stage,
-                    const std::vector<Cause>& causes, std::size_t cause,
-                    const std::vector<double>& x, const Eigen::VectorXd& raw, const CauseList& rest,
-                    const Effort& effort);
+QuickFit fitQuickly(Ensemble& ensemble, const Stage& stage, const std::vector<Cause>& causes,
+                    std::size_t cause, const std::vector<double>& x, const Effort& effort);
 
 /// All numbers of `start` at once, by ensembles of final_runs.
 ModelFit fitFully(Ensemble& ensemble, const JointData& data, const Stage& stage,

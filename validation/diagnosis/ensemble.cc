@@ -1,5 +1,7 @@
 #include "validation/diagnosis/ensemble.h"
 
+#include "core/check.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -8,6 +10,13 @@
 #include "validation/diagnosis/joint_data.h"
 
 namespace nao::validation {
+namespace {
+
+// Of an exact run, in coarse ones: a limb of four joints against a rig.
+constexpr long kExactCost = 40;
+
+}  // namespace
+
 Eigen::VectorXd RunPool::measuredAgain(const JointData& data, std::uint64_t seed) const {
   Random random(seed, "measured again");
   Eigen::VectorXd all(mean.size());
@@ -44,35 +53,58 @@ std::vector<EffectSetting> Ensemble::withGiven(const std::vector<EffectSetting>&
   return all;
 }
 
-Eigen::VectorXd Ensemble::mean(const std::vector<EffectSetting>& causes, int runs) {
+Halves Ensemble::halves(const std::vector<EffectSetting>& causes, int runs) {
+  return halvesOf(joint_.coarse(), causes, runs);
+}
+
+Halves Ensemble::roughHalves(const std::vector<EffectSetting>& causes, int runs) {
+  return halvesOf(joint_.rough(), causes, runs);
+}
+
+Halves Ensemble::halvesOf(const JointSimulator& joint, const std::vector<EffectSetting>& causes,
+                          int runs) {
+  NAO_CHECK(runs % 2 == 0 && runs > 0);
+  return {meanOf(joint, causes, 0, runs, 2), meanOf(joint, causes, 1, runs, 2)};
+}
+
+Eigen::VectorXd Ensemble::rough(const std::vector<EffectSetting>& causes) {
+  return meanOf(joint_.rough(), causes, 0, 1, 1);
+}
+
+// Of every `every`-th of the runs 0 to `runs` - 1, from the `first` on.
+Eigen::VectorXd Ensemble::meanOf(const JointSimulator& joint,
+                                 const std::vector<EffectSetting>& causes, int first, int runs,
+                                 int every) {
   const std::vector<EffectSetting> all = withGiven(causes);
-  const JointSimulator& joint = joint_.coarse();
+  const int count = (runs - first + every - 1) / every;
   std::vector<Eigen::MatrixXd> means;
   for (const MotionSpan& span : data_.spans()) {
     const std::size_t m = span.motion;
-    Eigen::MatrixXd sum = joint.run(all, m, streamOf(StreamUse::Mean, m, 0), noise_);
-    for (int r = 1; r < runs; ++r) {
+    Eigen::MatrixXd sum = joint.run(all, m, streamOf(StreamUse::Mean, m, first), noise_);
+    for (int r = first + every; r < runs; r += every) {
       sum += joint.run(all, m, streamOf(StreamUse::Mean, m, r), noise_);
     }
-    means.push_back(sum / runs);
-    used_ += runs;
+    means.push_back(sum / count);
+    used_ += count;
   }
   return data_.stack(means);
 }
 
 RunPool Ensemble::pool(const std::vector<EffectSetting>& causes, int runs) {
   const std::vector<EffectSetting> all = withGiven(causes);
+  const JointSimulator& joint = joint_.exact();
+  const long cost = &joint == &joint_ ? 1 : kExactCost;
   RunPool pool;
   pool.mean.resize(data_.size());
   for (const MotionSpan& span : data_.spans()) {
     const std::size_t m = span.motion;
     Eigen::MatrixXd columns(span.size(), runs);
     for (int r = 0; r < runs; ++r) {
-      columns.col(r) = joint_.run(all, m, streamOf(StreamUse::Pool, m, r), noise_).reshaped();
+      columns.col(r) = joint.run(all, m, streamOf(StreamUse::Pool, m, r), noise_).reshaped();
     }
     pool.mean.segment(span.offset, span.size()) = columns.rowwise().mean();
     pool.runs.push_back(std::move(columns));
-    used_ += runs;
+    used_ += runs * cost;
   }
   return pool;
 }

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "validation/diagnosis/halves.h"
 #include "validation/diagnosis/joint_simulator.h"
 
 namespace nao::validation {
@@ -33,18 +34,22 @@ constexpr std::uint64_t streamOf(StreamUse use, std::size_t motion, int repeat) 
 }
 
 /// Predicts the mean of a joint's noisy runs, stacked as its JointData, and counts the runs. What
-/// is compared with the measurement comes from a pool; what causes change, from coarse() means. One
-/// thread.
+/// is compared with the measurement comes from a pool of exact() runs; what causes change, from
+/// coarse() ones. One thread.
 class Ensemble {
  public:
   /// `granted`: how many runs may be simulated in all.
   Ensemble(const JointSimulator& joint, const JointData& data, const JointNoise& noise,
            long granted);
 
-  /// Mean of `runs` runs per motion in coarse steps, to subtract from another of as many: the same
-  /// random numbers for every list of causes.
-  Eigen::VectorXd mean(const std::vector<EffectSetting>& causes, int runs);
-  /// `runs` runs per motion in fine steps.
+  /// Mean of `runs` runs per motion in coarse steps, an even number, by the runs of even and of odd
+  /// streams, to subtract from another of as many: the same random numbers for every list of
+  /// causes.
+  Halves halves(const std::vector<EffectSetting>& causes, int runs);
+  /// The same of rough runs, and of one rough run.
+  Halves roughHalves(const std::vector<EffectSetting>& causes, int runs);
+  Eigen::VectorXd rough(const std::vector<EffectSetting>& causes);
+  /// `runs` exact runs per motion.
   RunPool pool(const std::vector<EffectSetting>& causes, int runs);
 
   /// Causes that every model has from now on, such as what all joints share.
@@ -57,6 +62,9 @@ class Ensemble {
   bool spent() const { return used_ >= granted_; }
 
  private:
+  Halves halvesOf(const JointSimulator& joint, const std::vector<EffectSetting>& causes, int runs);
+  Eigen::VectorXd meanOf(const JointSimulator& joint, const std::vector<EffectSetting>& causes,
+                         int first, int runs, int every);
   std::vector<EffectSetting> withGiven(const std::vector<EffectSetting>& causes) const;
 
   const JointSimulator& joint_;

@@ -22,7 +22,8 @@ std::vector<JointReplay> replayTest(const LogSet& set, std::shared_ptr<const Rob
   std::vector<JointReplay> replays(prepared.joints.size());
   inParallel(replays.size(), options.jobs, [&](std::size_t i) {
     const PreparedJoint& joint = prepared.joints[i];
-    replays[i] = replayJoint(*joint.simulator, {}, joint.noise, options.runs, {Split::Test});
+    replays[i] =
+        replayJoint(joint.simulator->exact(), {}, joint.noise, options.runs, {Split::Test});
   });
   return replays;
 }

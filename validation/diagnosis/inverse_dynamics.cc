@@ -85,17 +85,6 @@ double InverseDynamics::inertia(Joint joint) const {
   return sum;
 }
 
-VectorXd InverseDynamics::coupling(Joint joint) const {
-  VectorXd row = VectorXd::Zero(inertia_.size());
-  for (const int own : hinges(joint)) {
-    for (int i = 0; i < inertia_.size(); ++i) {
-      const int leaf = std::max(own, i), other = std::min(own, i);
-      if (related(leaf, other)) row[i] += inertia_.at(leaf, other);
-    }
-  }
-  return row;
-}
-
 double InverseDynamics::share(Joint joint, const VectorXd& torque) const {
   double sum = 0;
   for (const int c : hinges(joint)) sum += torque[c];

@@ -32,9 +32,8 @@ class InverseDynamics {
   /// [N m] by coordinate, without any.
   const Eigen::VectorXd& bias() const { return bias_; }
 
-  /// [kg m^2] that this joint's motor moves, and what it feels of each coordinate's acceleration.
+  /// [kg m^2] that this joint's motor moves.
   double inertia(Joint joint) const;
-  Eigen::VectorXd coupling(Joint joint) const;
   /// The part of a torque by coordinate that this joint's motor bears.
   double share(Joint joint, const Eigen::VectorXd& torque) const;
 

@@ -135,10 +135,10 @@ void addGear(std::vector<Cause>& all) {
 }
 
 void addLoad(std::vector<Cause>& all) {
-  all.push_back(
-      spread(one("encoder_offset", "angle", {0.01}, "{joint}'s encoder reads {value} too much",
-                 "two orientations of the base, or an outer measurement"),
-             0.1 * M_PI / 180));
+  all.push_back(spread(one("encoder_offset", "angle", {0.01, 0.15, -0.15},
+                           "{joint}'s encoder reads {value} too much",
+                           "two orientations of the base, or an outer measurement"),
+                       0.1 * M_PI / 180));
   all.push_back(spread(
       one("link_mass", "part", {0.2, -0.2}, "the link on {joint} is heavier by {value} of nominal",
           "slow and fast motion with a known mass added"),

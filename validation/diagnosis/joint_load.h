@@ -31,6 +31,7 @@ struct LoadOptions {
   Duration step = std::chrono::microseconds(250);
   int per_row = 10;  // 1 ms for a Nao's cycle: orders come in stairs, which shake the neighbours
   double bandwidth = kLoadBandwidth;
+  std::uint64_t seed = 1;       // of random effects
   std::vector<Joint> others{};  // whose angles go along, as they limit this joint
 };
 
@@ -38,7 +39,7 @@ struct LoadOptions {
 Eigen::VectorXd spreadOut(const std::vector<double>& rows, int per_row);
 
 /// The load of `joint`: the model with these effects (its own too only if they are listed) plays
-/// `orders` (one per row, a row is a cycle of the robot), without noise. What the joints were
+/// `orders` (one per row, a row is a cycle of the robot). What the joints were
 /// measured to do otherwise, smoothed to the bandwidth, is added, and inverse dynamics of the sum
 /// are the load. Whatever moves the joint otherwise shakes its neighbours otherwise, so that every
 /// list of effects has a load of its own. @throws InputError for a robot whose base is free.

@@ -22,7 +22,7 @@ std::vector<FoundNumber> numbersOf(const Cause& cause, const std::vector<double>
 // What the numbers of the model would have come out as in each null set: one Gauss-Newton step
 // with the sensitivities of the fit. A row per set.
 Eigen::MatrixXd reestimated(const Stage& stage, const ModelFit& fit) {
-  Eigen::MatrixXd white(stage.whitenFit(fit.raw).size(), fit.jacobian.cols());
+  Eigen::MatrixXd white(stage.whitenFit(stage.raw()).size(), fit.jacobian.cols());
   for (Eigen::Index i = 0; i < white.cols(); ++i) {
     white.col(i) = stage.whitenFit(fit.jacobian.col(i));
   }

@@ -67,9 +67,9 @@ void JointSearch::give(std::size_t cause, double x) {
 }
 
 double JointSearch::costOf(std::size_t cause, double x) {
-  const Eigen::VectorXd base = ensemble_.mean({}, effort_.final_runs);
-  const Eigen::VectorXd mean = ensemble_.mean({sharedSetting(cause, x)}, effort_.final_runs);
-  return half(stage_->white(stage_->raw() - (mean - base))) - half(stage_->white(stage_->raw()));
+  const Halves change = ensemble_.halves({sharedSetting(cause, x)}, effort_.final_runs) -
+                        ensemble_.halves({}, effort_.final_runs);
+  return -Explained(stage_->white(change), stage_->white(stage_->raw())).gain();
 }
 
 std::unique_ptr<Stage> JointSearch::stageOf(const CauseList& model,
@@ -94,14 +94,15 @@ void JointSearch::enter(std::unique_ptr<Stage> stage) {
   for (double& remainder : nulls_.remainders) remainder = (remainder - mean) / sd;
 }
 
-// Fits are made of coarse steps: one Gauss-Newton step with the fine ones corrects their numbers.
+// Fits are made of coarse steps: Gauss-Newton steps with exact runs correct their numbers, a rough
+// one before the comparison and a last one by it.
 void JointSearch::enterModel(const ModelFit& fit) {
   fit_ = fit;
-  if (!fit_.model.empty()) {
-    const RunPool pool = ensemble_.pool(settingsOf(causes_, fit_.model), effort_.base_runs);
-    moveNumbers(fit_, data_.mean() - pool.mean, *stage_, causes_);
-  }
+  if (fit_.model.empty()) return enter(stageOf({}, fit_.jacobian));
+  const RunPool pool = ensemble_.pool(settingsOf(causes_, fit_.model), effort_.base_runs / 3);
+  moveNumbers(fit_, data_.mean() - pool.mean, *stage_, causes_);
   enter(stageOf(fit_.model, fit_.jacobian));
+  moveNumbers(fit_, stage_->raw(), *stage_, causes_);
 }
 
 double JointSearch::splitRatio() {
@@ -141,8 +142,7 @@ std::vector<JointSearch::Candidate> JointSearch::rank(const Stage& stage) {
       not_tried_.push_back(causes_[start.cause].id);
       continue;
     }
-    const QuickFit fit = fitQuickly(ensemble_, data_, stage, causes_, start.cause, start.x,
-                                    stage.raw(), stage.model(), effort_);
+    const QuickFit fit = fitQuickly(ensemble_, stage, causes_, start.cause, start.x, effort_);
     const auto same = std::find_if(ranking.begin(), ranking.end(),
                                    [&](const Candidate& c) { return c.cause == fit.cause; });
     if (same == ranking.end()) {
@@ -266,8 +266,6 @@ bool JointSearch::review() {
 }
 
 bool JointSearch::reviewOne(std::size_t place) {
-  CauseList rest = fit_.model;
-  rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(place));
   Eigen::MatrixXd jacobian(data_.size(), 0);
   for (std::size_t i = 0, column = 0; i < fit_.model.size(); ++i) {
     const auto n = static_cast<Eigen::Index>(fit_.model[i].x.size());
@@ -278,7 +276,7 @@ bool JointSearch::reviewOne(std::size_t place) {
     }
     column += static_cast<std::size_t>(n);
   }
-  const std::unique_ptr<Stage> without = stageOf(rest, jacobian);
+  const auto without = std::make_unique<Stage>(*stage_, place, jacobian);
   std::vector<Candidate> ranking = rank(*without);
   const std::size_t cause = accepted_[place].cause;
   const auto own = std::find_if(ranking.begin(), ranking.end(),
@@ -287,7 +285,7 @@ bool JointSearch::reviewOne(std::size_t place) {
   const double best_gain = ranking.empty() ? 0 : ranking.front().gain;
   if (std::max(own_gain, best_gain) <= critical()) {
     drop(place, own_gain, "no longer needed beside the others");
-    enterModel(fitFully(ensemble_, data_, *without, causes_, rest, effort_));
+    enterModel(fitFully(ensemble_, data_, *without, causes_, without->model(), effort_));
     return true;
   }
   if (best_gain > own_gain + std::max(2.0, kSwap * own_gain)) {
@@ -346,7 +344,7 @@ void JointSearch::rejectTheRest() {
       if (look.cause != c) continue;
       looked = true;
       best = std::max(best, Stage::gain(look, white));
-      response = std::max(response, look.white.squaredNorm());
+      response = std::max(response, look.white.first.dot(look.white.second));
     }
     const auto known = [&](const Rejected& one) { return one.cause == causes_[c].id; };
     if (!looked || std::any_of(rejected_.begin(), rejected_.end(), known)) continue;

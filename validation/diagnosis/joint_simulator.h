@@ -49,9 +49,17 @@ class JointSimulator {
   virtual Eigen::MatrixXd run(const std::vector<EffectSetting>& causes, std::size_t motion,
                               std::uint64_t stream, const JointNoise& noise) const = 0;
 
-  /// The same joint in longer steps, several times cheaper: for what causes change, where the error
-  /// of a step falls out.
+  /// The same joint in longer steps, cheaper: for what causes change, where the error of a step
+  /// falls out. Streams of even and of odd numbers share no chance.
   virtual const JointSimulator& coarse() const { return *this; }
+
+  /// As coarse(), but neighbours do to the joint what they would without causes, as long as these
+  /// do not act on masses: for looks at what may be worth a fit.
+  virtual const JointSimulator& rough() const { return coarse(); }
+
+  /// The same joint without what run() approximates, ten times as slow: for what is compared with
+  /// the measurement.
+  virtual const JointSimulator& exact() const { return *this; }
 
   /// Whether another joint limits this one in the model: else a limit that moves with another joint
   /// is not tried here, as it is a stop like any other to a joint alone.

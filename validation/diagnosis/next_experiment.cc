@@ -155,9 +155,7 @@ std::vector<PlannedMotion> planExperiments(const std::shared_ptr<const RobotMode
   plan.repeats = 1;
   plan.step = std::chrono::milliseconds(1);
   const LogSet set = recordSimulated(plan);
-  RigOptions options;
-  options.jobs = jobs;
-  const auto rigs = std::make_shared<RigSet>(set, hung, options);
+  const auto rigs = std::make_shared<RigSet>(set, hung);
   const Joint joint = *model->findJoint(ambiguous.joint);
   const RigSimulator simulator(rigs, joint);
   const JointNoise noise = nominalNoise(rigs->model(), joint);

@@ -21,7 +21,6 @@ std::vector<PreparedJoint> onRigs(const std::shared_ptr<const RigSet>& set, int 
 
 PreparedSet prepareSet(const LogSet& set, std::shared_ptr<const RobotModel> model, int jobs,
                        RigOptions options) {
-  options.jobs = jobs;
   PreparedSet prepared;
   prepared.set = std::make_shared<RigSet>(set, model, options);
   prepared.joints = onRigs(prepared.set, jobs);

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/check.h"
-#include "core/random.h"
 #include "validation/diagnosis/merge_effects.h"
+#include "validation/diagnosis/run_noise.h"
 
 namespace nao::validation {
 namespace {
@@ -22,26 +22,26 @@ std::vector<double> meanOf(const GriddedMotion& motion,
   return sum;
 }
 
-// A number of its own for each stream of each motion.
-std::uint64_t mixed(std::uint64_t stream, std::size_t motion) {
-  return stream * 0x9e3779b97f4a7c15ULL + motion + 1;
-}
-
-// As the effect encoder_jitter.
-void addJitter(double amplitude, std::uint64_t stream, Eigen::MatrixXd& signals) {
-  if (amplitude <= 0) return;
-  Random random(stream, "encoder");
-  for (Eigen::Index k = 0; k < signals.rows(); ++k) {
-    const double draw = random.uniform();
-    if (draw < 0.25) signals(k, 0) -= amplitude;
-    if (draw >= 0.75) signals(k, 0) += amplitude;
-  }
-}
-
 RobotModel withGain(const RobotModel& model, Joint joint, double kp_scale) {
   RobotModel scaled = model;
   scaled.actuators[index(joint)].kp *= kp_scale;
   return scaled;
+}
+
+// Values of coarse loads: every other of the fine ones.
+int coarsePerRow(const RigSet& set) {
+  return set.perRow() % 2 == 0 ? set.perRow() / 2 : set.perRow();
+}
+
+// Causes that act on the load itself.
+std::vector<EffectSetting> massesOf(const std::vector<EffectSetting>& causes,
+                                    const sim::EffectCatalogue& catalogue) {
+  std::vector<EffectSetting> kept;
+  for (const EffectSetting& cause : causes) {
+    const sim::EffectType* type = catalogue.find(cause.name);
+    if (type && sim::reachOf(*type) == sim::JointReach::Load) kept.push_back(cause);
+  }
+  return kept;
 }
 
 }  // namespace
@@ -51,24 +51,30 @@ RigSimulator::RigSimulator(std::shared_ptr<const RigSet> set, Joint joint)
       joint_(joint),
       step_(set_->rigStep()),
       world_step_(set_->worldStep()),
-      loads_(std::make_unique<LimbLoads>(*set_, joint, world_step_)) {
+      limb_(std::make_shared<Limb>(*set_, joint)),
+      loads_(std::make_unique<LimbLoads>(limb_, world_step_, set_->perRow())) {
   for (const GriddedMotion& motion : set_->motions()) {
     measured_.push_back(measuredOf(motion));
     orders_.push_back({motion.runs.front().command.at(joint),
                        meanOf(motion, &GriddedMotion::Run::stiffness, joint)});
   }
   addRigs();
-  if (set_->coarseStep() > step_) coarse_.reset(new RigSimulator(*this, set_->coarseStep()));
+  exact_ = std::make_unique<LimbSimulator>(limb_, measured_);
+  const Duration coarse = std::max(step_, set_->coarseStep());
+  if (coarse > step_) coarse_.reset(new RigSimulator(*this, coarse, Loads::Drawn));
+  rough_.reset(new RigSimulator(*this, coarse, Loads::OfMassOnly));
 }
 
-RigSimulator::RigSimulator(const RigSimulator& fine, Duration step)
+RigSimulator::RigSimulator(const RigSimulator& fine, Duration step, Loads of)
     : set_(fine.set_),
       joint_(fine.joint_),
       step_(step),
       world_step_(step),
       measured_(fine.measured_),
       orders_(fine.orders_),
-      loads_(std::make_unique<LimbLoads>(*set_, joint_, world_step_)) {
+      limb_(fine.limb_),
+      loads_(std::make_unique<LimbLoads>(limb_, set_->row() / set_->perRow(), coarsePerRow(*set_))),
+      loads_of_(of) {
   addRigs();
 }
 
@@ -80,6 +86,16 @@ void RigSimulator::addRigs() {
 }
 
 RigSimulator::~RigSimulator() = default;
+
+const JointSimulator& RigSimulator::rough() const {
+  if (rough_) return *rough_;
+  return *this;
+}
+
+const JointSimulator& RigSimulator::exact() const {
+  if (exact_) return *exact_;
+  return *this;
+}
 
 std::string RigSimulator::joint() const { return set_->model().actuators[index(joint_)].name; }
 
@@ -104,27 +120,33 @@ JointMotion RigSimulator::measuredOf(const GriddedMotion& motion) const {
   return found;
 }
 
+std::shared_ptr<const sim::JointLoad> RigSimulator::loadOf(const std::vector<EffectSetting>& causes,
+                                                           std::size_t motion, std::uint64_t stream,
+                                                           const JointNoise& noise) const {
+  const bool drawn = loads_of_ != Loads::Quiet && noise.torque_sd > 0;
+  const std::vector<EffectSetting> seen =
+      loads_of_ == Loads::OfMassOnly ? massesOf(causes, set_->catalogue()) : causes;
+  return loads_->get(motion, set_->effectsWith(seen, set_->motions()[motion]),
+                     drawn ? 1 + stream % 2 : 0, noise);
+}
+
 Eigen::MatrixXd RigSimulator::run(const std::vector<EffectSetting>& causes, std::size_t motion,
                                   std::uint64_t stream, const JointNoise& noise) const {
   const std::vector<EffectSetting> effects = set_->effectsWith(causes, set_->motions()[motion]);
-  const auto load = loads_->get(motion, effects);
+  const auto load = loadOf(causes, motion, stream, noise);
   sim::RigChance chance;
-  chance.stream = mixed(stream, motion);
+  chance.stream = seedOf(stream, motion);
   chance.torque_sd = noise.torque_sd;
   if (noise.torque_time > 0) chance.torque_time = noise.torque_time;
-  const double most = 0.9 * set_->options().settle;
   chance.lead = (toSeconds(step_) - toSeconds(world_step_)) / 2;
-  chance.start = std::clamp(noise.start_sd * Random(chance.stream, "start").normal(), -most, most);
+  chance.start = drawLateness(noise, chance.stream, 0.9 * set_->options().settle);
   const sim::JointSignals signals =
       rigs_[motion].run(effects, orders_[motion], *load, chance,
                         fromSeconds(set_->options().settle), set_->catalogue());
   const auto rows = static_cast<Eigen::Index>(signals.angle.size());
   Eigen::MatrixXd result(rows, measured_[motion].repeats.front().cols());
   result.col(0) = Eigen::Map<const Eigen::VectorXd>(signals.angle.data(), rows);
-  addJitter(noise.jitter, chance.stream, result);
-  if (noise.quantum > 0) {
-    result.col(0) = noise.quantum * (result.col(0) / noise.quantum).array().round();
-  }
+  addEncoderNoise(noise, chance.stream, result);
   if (result.cols() > 1) {
     result.col(1) = Eigen::Map<const Eigen::VectorXd>(signals.current.data(), rows);
   }

@@ -8,19 +8,19 @@
 #include "validation/diagnosis/grid.h"
 #include "validation/diagnosis/joint_simulator.h"
 #include "validation/diagnosis/limb_loads.h"
+#include "validation/diagnosis/limb_simulator.h"
 
 namespace nao::validation {
 
 /// How joints are simulated alone.
 struct RigOptions {
   double step = 2.5e-4;       // [s] at most, of a rig: a run of 6 s then costs 1.5 ms of processor
-  double coarse_step = 1e-3;  // [s] at most, of JointSimulator::coarse()
+  double coarse_step = 5e-4;  // [s] at most, of JointSimulator::coarse()
   /// [s] of the Worlds whose motions the rigs are compared with. Their implicit steps answer an
   /// order half a step late; a rig's orders come earlier by half of what its own step is longer.
   double world_step = 2.5e-4;
   double settle = 0.5;  // [s] of rest in the first pose before a run
   double bandwidth = kLoadBandwidth;
-  int jobs = 1;  // threads that calculate loads; the result is the same
   const sim::EffectCatalogue* catalogue = nullptr;  // null: standardEffects()
 };
 
@@ -81,9 +81,19 @@ class RigSimulator final : public JointSimulator {
   double present(const std::string& effect, const std::string& parameter) const override;
   bool isCoupled() const override;
   const JointSimulator& coarse() const override { return coarse_ ? *coarse_ : *this; }
+  const JointSimulator& rough() const override;
+  const JointSimulator& exact() const override;
 
  private:
-  RigSimulator(const RigSimulator& fine, Duration step);
+  enum class Loads {
+    Quiet,       // of runs without noise
+    Drawn,       // two draws: runs of even streams have the one, of odd streams the other
+    OfMassOnly,  // drawn; causes alter it only if they are masses and the like themselves
+  };
+  RigSimulator(const RigSimulator& fine, Duration step, Loads of);
+  std::shared_ptr<const sim::JointLoad> loadOf(const std::vector<EffectSetting>& causes,
+                                               std::size_t motion, std::uint64_t stream,
+                                               const JointNoise& noise) const;
   void addRigs();
   JointMotion measuredOf(const GriddedMotion& motion) const;
 
@@ -93,8 +103,11 @@ class RigSimulator final : public JointSimulator {
   std::vector<JointMotion> measured_;
   std::vector<sim::JointRig> rigs_;       // by motion
   std::vector<sim::JointOrders> orders_;  // by motion
+  std::shared_ptr<const Limb> limb_;
   std::unique_ptr<LimbLoads> loads_;
-  std::unique_ptr<RigSimulator> coarse_;
+  std::unique_ptr<LimbSimulator> exact_;
+  Loads loads_of_ = Loads::Quiet;
+  std::unique_ptr<RigSimulator> coarse_, rough_;
 };
 
 }  // namespace nao::validation

@@ -33,8 +33,9 @@ std::vector<SharedLook> sharedLooks(const Searches& searches) {
       SharedLook& sum = sums[{look.cause, look.x[0]}];
       sum.cause = look.cause;
       sum.x = look.x[0];
-      sum.along += look.white.dot(white);
-      sum.square += look.white.squaredNorm();
+      const Explained explained(look.white, white);
+      sum.along += explained.bestScale() * explained.square();
+      sum.square += explained.square();
       sum.lower = std::max(sum.lower, look.lower);
       sum.upper = std::min(sum.upper, look.upper);
       ++sum.joints;
@@ -128,9 +129,14 @@ std::optional<SharedCause> findShared(const Searches& searches, double critical,
     if (tried || static_cast<int>(fits.size()) >= kTried) continue;
     fits.push_back(fitShared(searches, look, critical, jobs));
   }
-  std::stable_sort(fits.begin(), fits.end(),
-                   [](const SharedCause& a, const SharedCause& b) { return a.gain > b.gain; });
   const auto& causes = searches.front()->causes();
+  // The size of a rough cause is the best of many: it has to be better than one that is not.
+  const auto worth = [&](const SharedCause& one) {
+    return causes[one.cause].linear ? one.gain : (1 - kSame) * one.gain;
+  };
+  std::stable_sort(fits.begin(), fits.end(), [&](const SharedCause& a, const SharedCause& b) {
+    return worth(a) > worth(b);
+  });
   if (fits.empty() || fits.front().joints < 2 || fits.front().gain < kAsGood * own ||
       std::abs(fits.front().x) < causes[fits.front().cause].free[0].smallest) {
     return std::nullopt;

@@ -161,7 +161,8 @@ Eigen::VectorXd torqueFactors(const JointData& data, const Stage& stage,
     for (const MotionSpan& span : data.spans()) {
       const Eigen::MatrixXd motion =
           withRates(data.mean().segment(span.offset, span.rows), span.dt);
-      const Eigen::MatrixXd change = withRates(look.raw.segment(span.offset, span.rows), span.dt);
+      const Eigen::MatrixXd change =
+          withRates(look.raw.mean().segment(span.offset, span.rows), span.dt);
       const Eigen::VectorXd torque = effect == "torque_bias"
                                          ? Eigen::VectorXd::Constant(span.rows, look.x[0])
                                          : Eigen::VectorXd(-look.x[0] * motion.col(1));

@@ -42,7 +42,8 @@ Stage::Stage(Ensemble& ensemble, const JointData& data, const std::vector<Cause>
       effort_(effort) {
   const auto settings = settingsOf(causes, model_);
   pool_ = ensemble.pool(settings, effort.base_runs);
-  look_base_ = ensemble.mean(settings, effort.look_runs);
+  quick_base_ = ensemble.halves(settings, effort.look_runs);
+  look_base_ = ensemble.roughHalves(settings, effort.look_runs);
   raw_ = data.mean() - pool_.mean;
   look(ensemble, effort);
   const NoiseModes modes = findNoiseModes(pool_, data, data.sd());
@@ -58,17 +59,42 @@ Stage::Stage(Ensemble& ensemble, const JointData& data, const std::vector<Cause>
   const Eigen::Index n = data.fitSize();
   fit_ = Whitening(sd.head(n), disturbances.topRows(n));
   all_ = Whitening(sd, disturbances);
-  Eigen::MatrixXd own_fit(n, jacobian.cols()), own_all(data.size(), jacobian.cols());
-  for (Eigen::Index i = 0; i < jacobian.cols(); ++i) {
-    own_fit.col(i) = fit_(jacobian.col(i).head(n));
-    own_all.col(i) = all_(jacobian.col(i));
-  }
-  own_fit_ = orthonormal(own_fit);
-  own_all_ = orthonormal(own_all);
+  setJacobian(jacobian);
   for (Look& one : looks_) one.white = white(one.raw);
   for (std::size_t c = 0; c < causes_.size(); ++c) {
     if (!causes_[c].scan.empty() && !isTaken(c)) scan(c);
   }
+}
+
+Stage::Stage(const Stage& full, std::size_t without, const Eigen::MatrixXd& jacobian)
+    : Stage(full) {
+  const std::size_t cause = model_[without].cause;
+  const auto before = settingsOf(causes_, model_);
+  model_.erase(model_.begin() + static_cast<std::ptrdiff_t>(without));
+  const auto settings = settingsOf(causes_, model_);
+  raw_ -= (ensemble_.halves(settings, effort_.final_runs) -
+           ensemble_.halves(before, effort_.final_runs))
+              .mean();
+  quick_base_ = ensemble_.halves(settings, effort_.look_runs);
+  look_base_ = ensemble_.roughHalves(settings, effort_.look_runs);
+  for (const std::vector<double>& x : startsOf(causes_[cause])) {
+    lookAt(ensemble_, cause, x, effort_);
+  }
+  setJacobian(jacobian);
+  for (Look& one : looks_) one.white = white(one.raw);
+  if (!causes_[cause].scan.empty()) scan(cause);
+}
+
+// What the model's numbers explain.
+void Stage::setJacobian(const Eigen::MatrixXd& jacobian) {
+  jacobian_ = jacobian;
+  Eigen::MatrixXd own_fit(data_.fitSize(), jacobian.cols()), own_all(data_.size(), jacobian.cols());
+  for (Eigen::Index i = 0; i < jacobian.cols(); ++i) {
+    own_fit.col(i) = fit_(jacobian.col(i).head(data_.fitSize()));
+    own_all.col(i) = all_(jacobian.col(i));
+  }
+  own_fit_ = orthonormal(own_fit);
+  own_all_ = orthonormal(own_all);
 }
 
 bool Stage::isTaken(std::size_t cause) const {
@@ -80,13 +106,13 @@ bool Stage::isTaken(std::size_t cause) const {
 // One run per motion tells which of many sizes is worth a look.
 void Stage::scan(std::size_t cause) {
   const auto settings = settingsOf(causes_, model_);
-  const Eigen::VectorXd before = ensemble_.mean(settings, 1), residual = white(raw_);
+  const Eigen::VectorXd before = ensemble_.rough(settings), residual = white(raw_);
   double best = 0, largest = 0;
   for (const double x : causes_[cause].scan) {
     if (x < causes_[cause].free[0].lower || x > causes_[cause].free[0].upper) continue;
     CauseList with = model_;
     with.push_back({cause, {x}});
-    const Eigen::VectorXd change = white(ensemble_.mean(settingsOf(causes_, with), 1) - before);
+    const Eigen::VectorXd change = white(ensemble_.rough(settingsOf(causes_, with)) - before);
     const double gain = change.dot(residual) - change.squaredNorm() / 2;
     if (gain > largest) largest = gain, best = x;
   }
@@ -108,7 +134,7 @@ void Stage::lookAt(Ensemble& ensemble, std::size_t cause, const std::vector<doub
   CauseList with = model_;
   with.push_back({cause, x});
   Look found{cause, x, {}, {}, 0, 0};
-  found.raw = ensemble.mean(settingsOf(causes_, with), effort.look_runs) - look_base_;
+  found.raw = ensemble.roughHalves(settingsOf(causes_, with), effort.look_runs) - look_base_;
   const double to_lower = what.free[0].lower / x[0], to_upper = what.free[0].upper / x[0];
   found.lower = std::min(to_lower, to_upper);
   found.upper = std::max(to_lower, to_upper);
@@ -138,7 +164,7 @@ Eigen::MatrixXd Stage::directions(const Effort& effort, double start_sd) {
   std::size_t seen = causes_.size();
   for (const Look& one : looks_) {  // the first look at each cause
     if (causes_[one.cause].spread > 0 && one.cause != seen) {
-      columns.push_back(one.raw * (causes_[one.cause].spread / one.x[0]));
+      columns.push_back(one.raw.mean() * (causes_[one.cause].spread / one.x[0]));
     }
     seen = one.cause;
   }
@@ -179,16 +205,24 @@ Eigen::VectorXd Stage::white(const Eigen::VectorXd& raw) const {
   return without(own_fit_, whitenFit(raw));
 }
 
+Halves Stage::white(const Halves& raw) const {
+  return raw.through([this](const Eigen::VectorXd& half) { return white(half); });
+}
+
+Halves Stage::whitenFit(const Halves& raw) const {
+  return raw.through([this](const Eigen::VectorXd& half) { return whitenFit(half); });
+}
+
 Eigen::VectorXd Stage::whiteAll(const Eigen::VectorXd& raw) const {
   return without(own_all_, all_(raw));
 }
 
 double Stage::gain(const Look& look, const Eigen::VectorXd& white, double* scale) {
-  const double along = look.white.dot(white), square = look.white.squaredNorm();
-  if (square <= 0) return 0;
-  const double best = std::clamp(along / square, look.lower, look.upper);
+  const Explained explained(look.white, white);
+  if (explained.square() <= 0) return 0;
+  const double best = std::clamp(explained.bestScale(), look.lower, look.upper);
   if (scale != nullptr) *scale = best;
-  return best * along - best * best * square / 2;
+  return explained.gain(best);
 }
 
 double Stage::largestGain(const Eigen::VectorXd& white) const {

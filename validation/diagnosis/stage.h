@@ -16,7 +16,7 @@ namespace nao::validation {
 struct Effort {
   int look_runs = 8;    // per motion, of a candidate's looks and first fit
   int final_runs = 32;  // of the fits of finalists
-  int base_runs = 96;   // of the model that the measurement is compared with
+  int base_runs = 48;   // exact ones, of the model that the measurement is compared with
   int null_sets = 200;  // drawn from those
   int survivors = 8;    // candidates that are fitted at all
   int finalists = 4;    // that are fitted with final_runs
@@ -36,8 +36,8 @@ std::vector<EffectSetting> settingsOf(const std::vector<Cause>& causes, const Ca
 struct Look {
   std::size_t cause = 0;
   std::vector<double> x;
-  Eigen::VectorXd raw;          // change of the predicted mean, all motions
-  Eigen::VectorXd white;        // of the fit motions, whitened
+  Halves raw;                   // change of the predicted mean, all motions
+  Halves white;                 // of the fit motions, whitened
   double lower = 0, upper = 0;  // how far it may be scaled
 };
 
@@ -51,6 +51,10 @@ class Stage {
         CauseList model, const Eigen::MatrixXd& jacobian, const Effort& effort,
         const std::vector<std::size_t>& given = {});
 
+  /// The model of `full` without one of its causes, by what `full` saw: coarse runs tell what is
+  /// missing, looks are at the cause that is missing alone. `jacobian`: of the numbers that stay.
+  Stage(const Stage& full, std::size_t without, const Eigen::MatrixXd& jacobian);
+
   /// Residuals of data sets measured again at this model, undeclared differences included; drawn
   /// from the runs that the model's own mean is made of.
   void simulateNulls(const std::string& joint);
@@ -60,17 +64,19 @@ class Stage {
   /// Measured minus predicted mean, as measured.
   const Eigen::VectorXd& raw() const { return raw_; }
   /// The prediction of the model by Effort::look_runs runs, to subtract from others of as many.
-  const Eigen::VectorXd& lookBase() const { return look_base_; }
+  const Halves& quickBase() const { return quick_base_; }
   const Eigen::MatrixXd& jacobian() const { return jacobian_; }
   const std::vector<Eigen::VectorXd>& nulls() const { return nulls_; }  // raw
 
   /// A residual of all motions: its fit motions whitened, and what the model's own numbers could
   /// still explain taken off.
   Eigen::VectorXd white(const Eigen::VectorXd& raw) const;
+  Halves white(const Halves& raw) const;
   /// The same for all motions, for the remainder.
   Eigen::VectorXd whiteAll(const Eigen::VectorXd& raw) const;
   /// Whitened only: fit motions, or all.
   Eigen::VectorXd whitenFit(const Eigen::VectorXd& raw) const;
+  Halves whitenFit(const Halves& raw) const;
   Eigen::VectorXd whitenAll(const Eigen::VectorXd& raw) const { return all_(raw); }
 
   /// What a look explains of a white() residual at its best scale [nats].
@@ -84,6 +90,7 @@ class Stage {
               const Effort& effort);
   bool isTaken(std::size_t cause) const;
   void scan(std::size_t cause);
+  void setJacobian(const Eigen::MatrixXd& jacobian);
   Eigen::MatrixXd directions(const Effort& effort, double start_sd);
 
   const JointData& data_;
@@ -94,7 +101,8 @@ class Stage {
   Eigen::MatrixXd jacobian_;
   Effort effort_;
   RunPool pool_;
-  Eigen::VectorXd look_base_, raw_;
+  Eigen::VectorXd raw_;
+  Halves quick_base_, look_base_;  // by coarse and by rough runs
   std::vector<Look> looks_;
   Eigen::MatrixXd undeclared_;  // one SD of each difference between equal robots
   Whitening fit_, all_;
