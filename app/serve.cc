@@ -2,6 +2,8 @@
 #include <cinttypes>
 #include <cstdio>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "app/commands.h"
 #include "app/modes.h"
@@ -62,10 +64,15 @@ void serve(Arguments& arguments) {
   daemon::Daemon daemon(options);
   printNotes(daemon);
   daemon.stopOnSignals();
-  daemon.run([&] { printReady(daemon, options.listen); });
+  daemon.run([&] { printReady(daemon, options.listen.front()); });
   const daemon::LoopState end = daemon.state();
   std::printf("stopped at %.3f s of simulated time, seed %" PRIu64 ", state %016" PRIx64 "\n",
               toSeconds(end.time), options.seed, end.hash);
+}
+
+void addPort(CLI::App& command, const char* name, std::optional<std::uint16_t>& port,
+             const std::string& meaning) {
+  command.add_option(name, port, meaning + "; 0 takes any free one.");
 }
 
 void addWires(CLI::App& command, daemon::Options& options) {
@@ -75,15 +82,13 @@ void addWires(CLI::App& command, daemon::Options& options) {
                      "the web by its password dialogue.");
   command.add_flag("--insecure", options.insecure,
                    "Lets everybody in, also where --listen is more than this machine.");
-  command.add_option("--tls-port", options.tls_port,
-                     "Speaks qi over TLS (tcps) on this port, too; 0 takes any free one.");
+  addPort(command, "--tls-port", options.tls_port, "Speaks qi over TLS (tcps) on this port, too");
+  addPort(command, "--msgpack-port", options.msgpack_port, "Speaks MessagePack-RPC on this port");
+  addPort(command, "--http-port", options.http_port,
+          "Serves qi.js, its wire and a page on this port");
   command.add_option("--tls-dir", options.tls_dir,
                      "Where the certificate is; made at the first start. Default:\n"
                      "~/.local/state/usarnaoqi.");
-  command.add_option("--msgpack-port", options.msgpack_port,
-                     "Speaks MessagePack-RPC on this port; 0 takes any free one.");
-  command.add_option("--http-port", options.http_port,
-                     "Serves qi.js, its wire and a page on this port; 0 takes any free one.");
   command.add_option("--allow-origin", options.origins,
                      "Lets pages of this address, such as http://localhost:3000, use the robot\n"
                      "through --http-port. Repeat it for more.");
@@ -101,7 +106,7 @@ void addServe(CLI::App& app) {
       "it for more: number i listens on port + i. Default: those of the world, else\n"
       "nao_h21_v33.");
   command->add_option("--world", options.world, "The world, a YAML file.")->capture_default_str();
-  command->add_option("--listen", options.listen, "The address to listen on.")
+  command->add_option("--listen", options.listen, "The address to listen on. Repeat it for more.")
       ->capture_default_str();
   command->add_option("--port", options.port, "The first robot's port; 0 takes any free ones.")
       ->capture_default_str();
@@ -124,8 +129,9 @@ void addServe(CLI::App& app) {
   command->add_option("--robots-dir", options.robots_dir, "Where the robots' folders are.")
       ->capture_default_str();
   command
-      ->add_option("--data-dir", options.data_dir,
-                   "Where the sounds are that clients play; they see no other folder.")
+      ->add_option(
+          "--data-dir", options.data_dir,
+          "Where the files are that clients play, record and write; they see no other folder.")
       ->check(CLI::ExistingDirectory);
   command->add_option("--naoqi", options.naoqi,
                       "The NAOqi to be like where versions differ: 1.12, 1.14, 2.1, 2.5, 2.8 or\n"
@@ -141,13 +147,11 @@ void addServe(CLI::App& app) {
                     "Refuse calls before authentication, as libqi 4 does (default: answer them,\n"
                     "as NAOqi 2.1 to 2.8 do).");
   command->footer(
-      "Limits: payload 16 MiB (64 KiB before authentication), nesting 64, 1024 connections (one "
-      "that\n"
-      "says nothing loses its place to one that comes), 4096 subscriptions and 1024 unfinished "
-      "calls\n"
-      "a connection; above 1 MiB unsent a client is no longer read, above 8 MiB it is closed. Half "
-      "a\n"
-      "message, or an opening, that lasts 30 s is closed.");
+      "Limits: payload 16 MiB (64 KiB before authentication), nesting 64, 1024 connections a wire\n"
+      "(when all are taken, one that has not opened, or has been silent for a minute, loses its\n"
+      "place to one that comes), 4096 subscriptions and 1024 unfinished calls a connection, 1024\n"
+      "posted calls a client; above 1 MiB unsent a client is no longer read, above 8 MiB it is\n"
+      "closed. Half a message, or an opening, that lasts 30 s is closed.");
   command->callback([arguments] { serve(*arguments); });
 }
 

@@ -1,7 +1,8 @@
 // The qi wire while one Nao is simulated at 1x, seen from a client in its own process: delays
 // beside those of an echo socket on the same I/O thread with the same sizes, calls a second when
-// they are pipelined, and events to many. wire_bench: one JSON object of figures.
-#include <poll.h>
+// they are pipelined, and events to many. wire_bench [delays|rates|events]: one JSON object of
+// figures.
+#include <sys/epoll.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -151,6 +152,35 @@ double processorTime(pid_t process) {
   return static_cast<double>(user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
+/// What the daemon does from its making on: its processor time, and how late its cycles are.
+class Watch {
+ public:
+  explicit Watch(const WireServer& server)
+      : server_(server),
+        start_(Clock::now()),
+        processor_s_(processorTime(server.process)),
+        cycles_(server.lateness->count.load(std::memory_order_acquire)) {}
+
+  double cpuPercent() const {
+    return 100 * (processorTime(server_.process) - processor_s_) / secondsSince(start_);
+  }
+  double latenessP99Ms() const {
+    std::vector<double> late;
+    const std::size_t end = server_.lateness->count.load(std::memory_order_acquire);
+    for (std::size_t k = cycles_; k < end; ++k) {
+      late.push_back(double{server_.lateness->late_ms[k % Lateness::kMost]});
+    }
+    std::sort(late.begin(), late.end());
+    return late.empty() ? 0 : late[late.size() * 99 / 100];
+  }
+
+ private:
+  const WireServer& server_;
+  Clock::time_point start_;
+  double processor_s_;
+  std::size_t cycles_;
+};
+
 /// 200 clients that all listen to 20 events, which one client raises 50 times a second.
 class EventStorm {
  public:
@@ -165,19 +195,27 @@ class EventStorm {
     for (int k = 0; k < kListeners; ++k) {
       listeners_.push_back(std::make_unique<WireClient>(server.port));
       for (int event = 0; event < kEvents; ++event) listen(*listeners_.back(), subscriber, event);
+      epoll_event wanted{};
+      wanted.events = EPOLLIN;
+      wanted.data.u32 = static_cast<std::uint32_t>(k);
+      if (::epoll_ctl(all_, EPOLL_CTL_ADD, listeners_.back()->descriptor(), &wanted) != 0)
+        std::abort();
     }
   }
 
+  EventStorm(const EventStorm&) = delete;
+  EventStorm& operator=(const EventStorm&) = delete;
+  ~EventStorm() { ::close(all_); }
+
   void run(std::map<std::string, double>& figures) {
-    const double before_s = processorTime(server_.process);
-    const auto start = Clock::now();
-    for (int cycle = 0; cycle < kCycles; ++cycle) {
-      raiseAll(cycle);
-      const auto next = start + std::chrono::milliseconds(20) * (cycle + 1);
-      while (Clock::now() < next) collect(next);
-    }
-    const double busy_s = processorTime(server_.process) - before_s;
-    figures["events_server_cpu_percent"] = 100 * busy_s / secondsSince(start);
+    const Watch unloaded(server_);
+    pass(false);
+    figures["unloaded_server_cpu_percent"] = unloaded.cpuPercent();
+    figures["unloaded_lateness_p99_ms"] = unloaded.latenessP99Ms();
+    const Watch loaded(server_);
+    pass(true);
+    figures["events_server_cpu_percent"] = loaded.cpuPercent();
+    figures["events_lateness_p99_ms"] = loaded.latenessP99Ms();
     const auto end = Clock::now() + std::chrono::seconds(2);
     while (Clock::now() < end) collect(end);
     constexpr double kAll = double{kListeners} * kEvents * kCycles;
@@ -188,6 +226,16 @@ class EventStorm {
   }
 
  private:
+  // As long with events as without.
+  void pass(bool raising) {
+    const auto start = Clock::now();
+    for (int cycle = 0; cycle < kCycles; ++cycle) {
+      if (raising) raiseAll(cycle);
+      const auto next = start + std::chrono::milliseconds(20) * (cycle + 1);
+      while (Clock::now() < next) collect(next);
+    }
+  }
+
   static std::string nameOf(int event) { return "Storm/" + std::to_string(event); }
 
   void listen(WireClient& client, std::uint32_t subscriber, int event) const {
@@ -216,17 +264,16 @@ class EventStorm {
     publisher_.send(posts);
   }
 
+  // What has come to any of them; waits for it, at most until then.
   void collect(Clock::time_point until) {
-    std::vector<pollfd> polled;
-    for (const auto& listener : listeners_) polled.push_back({listener->descriptor(), POLLIN, 0});
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now());
-    if (::poll(polled.data(), polled.size(), static_cast<int>(std::max<long>(0, left.count()))) <=
-        0)
-      return;
-    for (std::size_t k = 0; k < polled.size(); ++k) {
-      if ((polled[k].revents & POLLIN) == 0) continue;
-      listeners_[k]->receiveSome();
-      got_ += listeners_[k]->countMessages();
+    epoll_event ready[kListeners];
+    const int count =
+        ::epoll_wait(all_, ready, kListeners, static_cast<int>(std::max<long>(0, left.count())));
+    for (int k = 0; k < count; ++k) {
+      WireClient& listener = *listeners_[ready[k].data.u32];
+      listener.receiveSome();
+      got_ += listener.countMessages();
       ++pieces_;
     }
   }
@@ -234,6 +281,7 @@ class EventStorm {
   const WireServer& server_;
   WireClient publisher_;
   std::vector<std::unique_ptr<WireClient>> listeners_;
+  int all_ = ::epoll_create1(0);
   std::uint32_t memory_ = 0;
   std::uint32_t raise_ = 0;
   std::size_t got_ = 0;
@@ -257,32 +305,59 @@ Value hundredKeys(const Value& joints) {
   return Value::list(std::move(keys));
 }
 
-void run(const WireServer& server) {
-  std::map<std::string, double> figures;
+using Figures = std::map<std::string, double>;
+
+/// What is called: a service of the daemon and its methods.
+struct Calls {
+  wire::Address get_angles;
+  Value angles;  // the arguments
+  wire::Address get_list;
+  Value keys;
+  wire::Address ping;
+};
+
+Calls callsOf(const WireServer& server) {
   WireClient client(server.port);
   const std::uint32_t motion = client.service("ALMotion");
   const std::uint32_t memory = client.service("ALMemory");
   const Value joints = namesOf26(client, motion);
-  const wire::Address get_angles{motion, 1, client.method(motion, "getAngles", "(mb)")};
-  const Value angles = Value::tuple("(mb)", {joints, true});
-  const auto [call, echo] = compare(server, get_angles, angles);
+  Calls calls;
+  calls.get_angles = {motion, 1, client.method(motion, "getAngles", "(mb)")};
+  calls.angles = Value::tuple("(mb)", {joints, true});
+  calls.get_list = {memory, 1, client.method(memory, "getListData", "(m)")};
+  calls.keys = Value::tuple("(m)", {hundredKeys(joints)});
+  calls.ping = {memory, 1, client.method(memory, "ping", "()")};
+  return calls;
+}
+
+void measureDelays(const WireServer& server, const Calls& calls, Figures& figures) {
+  const auto [call, echo] = compare(server, calls.get_angles, calls.angles);
   figures["call_p50_us"] = call.p50_us;
   figures["call_p99_us"] = call.p99_us;
   figures["echo_p50_us"] = echo.p50_us;
   figures["echo_p99_us"] = echo.p99_us;
-
-  const wire::Address get_list{memory, 1, client.method(memory, "getListData", "(m)")};
-  const auto [list, list_echo] =
-      compare(server, get_list, Value::tuple("(m)", {hundredKeys(joints)}));
+  const auto [list, list_echo] = compare(server, calls.get_list, calls.keys);
   figures["list_data_p50_us"] = list.p50_us;
   figures["list_data_echo_p50_us"] = list_echo.p50_us;
+}
 
-  const wire::Address ping{memory, 1, client.method(memory, "ping", "()")};
-  std::vector<double> rates;
-  for (int k = 0; k < 5; ++k) rates.push_back(pipelined(server, ping, Value::tuple({}), 200000));
-  figures["calls_per_s"] = median(rates);
-  figures["get_angles_calls_per_s"] = pipelined(server, get_angles, angles, 50000);
-  EventStorm(server).run(figures);
+void measureRates(const WireServer& server, const Calls& calls, Figures& figures) {
+  std::vector<double> pings;
+  std::vector<double> angles;
+  for (int k = 0; k < 5; ++k) {
+    pings.push_back(pipelined(server, calls.ping, Value::tuple({}), 200000));
+    angles.push_back(pipelined(server, calls.get_angles, calls.angles, 50000));
+  }
+  figures["calls_per_s"] = median(angles);
+  figures["pings_per_s"] = median(pings);
+}
+
+void run(const WireServer& server, const std::string& part) {
+  Figures figures;
+  const Calls calls = callsOf(server);
+  if (part.empty() || part == "delays") measureDelays(server, calls, figures);
+  if (part.empty() || part == "rates") measureRates(server, calls, figures);
+  if (part.empty() || part == "events") EventStorm(server).run(figures);
 
   std::printf("{");
   const char* separator = "";
@@ -295,9 +370,9 @@ void run(const WireServer& server) {
 }  // namespace
 }  // namespace nao::bench
 
-int main() {
+int main(int argc, char** argv) {
   const auto server = nao::bench::startWireServer();
-  nao::bench::run(server);
+  nao::bench::run(server, argc > 1 ? argv[1] : "");
   nao::bench::stopWireServer(server);
   return 0;
 }

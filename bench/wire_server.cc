@@ -1,6 +1,7 @@
 #include "bench/wire_server.h"
 
 #include <signal.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -8,10 +9,12 @@
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/write.hpp>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <new>
 #include <vector>
 
 #include "daemon/daemon.h"
@@ -45,7 +48,7 @@ class Echo : public wire::Connection {
   bool isHeld() const override { return false; }
   bool wantsClose() const override { return false; }
   void onBroken(std::function<void()> /*broken*/) override {}
-  bool holdsHalf() const override { return false; }
+  std::size_t bytesHeld() const override { return 0; }
   std::uint64_t messagesTaken() const override { return 0; }
   bool isOpen() const override { return true; }
 
@@ -65,11 +68,11 @@ daemon::Options options() {
   return options;
 }
 
-[[noreturn]] void serve(int ready) {
+[[noreturn]] void serve(int ready, Lateness& lateness) {
   daemon::raiseDescriptorLimit();
   daemon::Daemon daemon(options());
   daemon::Server echo(
-      daemon.io(), {"127.0.0.1", 0, "echo"},
+      daemon.io(), {{"127.0.0.1"}, 0, "echo"},
       [](boost::asio::ip::tcp::socket socket, daemon::Stream::ReadBuffer& buffer) {
         return std::make_unique<daemon::TcpStream>(std::move(socket), buffer);
       },
@@ -77,6 +80,11 @@ daemon::Options options() {
         return std::make_unique<Echo>(std::move(send));
       });
   const std::array<std::uint16_t, 2> ports{daemon.port(0), echo.port()};
+  daemon.onCycle([&lateness](std::chrono::nanoseconds late) {
+    const std::size_t number = lateness.count.load(std::memory_order_relaxed);
+    lateness.late_ms[number % Lateness::kMost] = 1e-6F * static_cast<float>(late.count());
+    lateness.count.store(number + 1, std::memory_order_release);
+  });
   daemon.stopOnSignals();
   daemon.run([&] { (void)!::write(ready, ports.data(), sizeof ports); });
   echo.close();
@@ -88,9 +96,14 @@ daemon::Options options() {
 WireServer startWireServer() {
   int ready[2];
   if (::pipe(ready) != 0) std::abort();
+  void* const shared =
+      ::mmap(nullptr, sizeof(Lateness), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (shared == MAP_FAILED) std::abort();
+  auto* const lateness = new (shared) Lateness;
   WireServer server;
+  server.lateness = lateness;
   server.process = ::fork();
-  if (server.process == 0) serve(ready[1]);
+  if (server.process == 0) serve(ready[1], *lateness);
   std::array<std::uint16_t, 2> ports{};
   if (::read(ready[0], ports.data(), sizeof ports) != sizeof ports) std::abort();
   server.port = ports[0];

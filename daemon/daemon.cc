@@ -5,6 +5,7 @@
 #include <csignal>
 
 #include "core/check.h"
+#include "daemon/random_name.h"
 
 namespace nao::daemon {
 namespace {
@@ -58,12 +59,17 @@ Daemon::Daemon(const Options& options)
         loop_.wake();
         scheduleDelivery();
       }) {
-  std::shared_ptr<const rpc::Credentials> credentials;
+  std::shared_ptr<rpc::Credentials> credentials;
+  std::string script_token;
   if (!options.auth.empty()) {
-    credentials = std::make_shared<const rpc::Credentials>(rpc::Credentials::load(options.auth));
+    credentials = std::make_shared<rpc::Credentials>(rpc::Credentials::load(options.auth));
+    script_token = makeRandomName();
+    if (!options.scripts.empty()) credentials->add(ScriptProcess::kUser, script_token);
   }
+  const auto task_ids = std::make_shared<rpc::TaskIds>();
   for (std::size_t i = 0; i < simulation_.robotCount(); ++i) {
-    const HostContext context{io_, loop_, simulation_, options_, credentials};
+    const HostContext context{io_,         loop_,    simulation_, options_,
+                              credentials, task_ids, script_token};
     hosts_.push_back(std::make_unique<RobotHost>(context, i));
     cameras_.add(hosts_.back()->pictures());
     simulation_.showTo(hosts_.back()->pictures(), i);

@@ -42,6 +42,11 @@ class Daemon {
   /// The caller's thread of run(), for what else is to run on it.
   boost::asio::io_context& io() { return io_; }
 
+  /// Before run(): see RobotLoop::onCycle().
+  void onCycle(std::function<void(std::chrono::nanoseconds late)> told) {
+    loop_.onCycle(std::move(told));
+  }
+
   /// Before run(): what the seed has drawn for this run, by name; empty without one.
   std::map<std::string, double> draw() { return simulation_.world().draw(); }
 

@@ -20,16 +20,16 @@ RobotOption parseRobot(const std::string& text) {
 }
 
 void checkSecurity(const Options& options) {
-  boost::system::error_code error;
-  const auto address = boost::asio::ip::make_address(options.listen, error);
-  if (error) throw InputError("--listen: expected an IP address, found '" + options.listen + "'");
-  if (!options.auth.empty() && !options.scripts.empty()) {
-    throw InputError("--scripts: the code in boxes has no token, expected no --auth beside it");
+  if (options.listen.empty()) throw InputError("--listen: expected an IP address, found none");
+  for (const std::string& host : options.listen) {
+    boost::system::error_code error;
+    const auto address = boost::asio::ip::make_address(host, error);
+    if (error) throw InputError("--listen: expected an IP address, found '" + host + "'");
+    if (address.is_loopback() || !options.auth.empty() || options.insecure) continue;
+    throw InputError("--listen: others can reach " + host +
+                     ", expected --auth FILE with a line 'user token' for each of them, or "
+                     "--insecure to let everybody in");
   }
-  if (address.is_loopback() || !options.auth.empty() || options.insecure) return;
-  throw InputError("--listen: others can reach " + options.listen +
-                   ", expected --auth FILE with a line 'user token' for each of them, or "
-                   "--insecure to let everybody in");
 }
 
 std::uint16_t portOf(std::uint16_t first, std::size_t robot, const std::string& option) {

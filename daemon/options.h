@@ -27,7 +27,7 @@ struct Options {
   std::vector<std::string> behaviors;
   std::string
       scripts;  // folder of the Python client, to run the code in boxes; empty: it is not run
-  std::string listen = "127.0.0.1";
+  std::vector<std::string> listen = {"127.0.0.1"};  // IP addresses
   std::string auth;           // file of users and tokens; empty: every client is let in
   bool insecure = false;      // every client is let in, on whatever address
   std::uint16_t port = 9559;  // robot i listens on port + i; 0: any free one for each

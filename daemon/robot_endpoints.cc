@@ -43,23 +43,30 @@ std::string readFile(const std::string& path) {
   return text.str();
 }
 
+std::string urlOf(const std::string& scheme, const std::string& host, std::uint16_t port) {
+  const bool is_v6 = host.find(':') != std::string::npos;
+  return scheme + "://" + (is_v6 ? "[" + host + "]" : host) + ":" + std::to_string(port);
+}
+
 }  // namespace
 
 RobotEndpoints::RobotEndpoints(boost::asio::io_context& io, const Options& options,
                                std::size_t robot, rpc::ServiceHub& hub)
-    : host_(options.listen) {
+    : hosts_(options.listen) {
   checkSecurity(options);
   const auto address = [&](std::uint16_t first, const char* option) {
     return Address{options.listen, portOf(first, robot, option), option};
   };
+  const auto budget = std::make_shared<ByteBudget>();
   const auto qi = connectionsTo<wire::QiConnection>(hub);
-  qi_ = std::make_unique<Server>(io, address(options.port, "--port"), plainStream, qi);
+  qi_ = std::make_unique<Server>(io, address(options.port, "--port"), plainStream, qi, budget);
   if (const auto port = options.tls_port) {
-    tls_ = std::make_unique<Server>(io, address(*port, "--tls-port"), tlsStreams(options), qi);
+    tls_ =
+        std::make_unique<Server>(io, address(*port, "--tls-port"), tlsStreams(options), qi, budget);
   }
   if (const auto port = options.msgpack_port) {
     msgpack_ = std::make_unique<Server>(io, address(*port, "--msgpack-port"), plainStream,
-                                        connectionsTo<wire::MsgpackConnection>(hub));
+                                        connectionsTo<wire::MsgpackConnection>(hub), budget);
   }
   if (const auto port = options.http_port) {
     const WebContent content{readFile(options.pages + "/index.html"),
@@ -71,8 +78,10 @@ RobotEndpoints::RobotEndpoints(boost::asio::io_context& io, const Options& optio
 std::vector<std::string> RobotEndpoints::otherAddresses() const {
   std::vector<std::string> addresses;
   const auto add = [&](const char* scheme, std::uint16_t port) {
-    addresses.push_back(std::string(scheme) + "://" + host_ + ":" + std::to_string(port));
+    for (const std::string& host : hosts_) addresses.push_back(urlOf(scheme, host, port));
   };
+  add("tcp", qi_->port());
+  addresses.erase(addresses.begin());
   if (tls_) add("tcps", tls_->port());
   if (msgpack_) add("msgpack-rpc", msgpack_->port());
   if (web_) add("http", web_->port());

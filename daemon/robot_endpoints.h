@@ -22,13 +22,13 @@ class RobotEndpoints {
 
   std::uint16_t qiPort() const { return qi_->port(); }
 
-  /// Those beside qi, as URLs.
+  /// Those beside qi on the first host, as URLs.
   std::vector<std::string> otherAddresses() const;
 
   void close();
 
  private:
-  std::string host_;
+  std::vector<std::string> hosts_;
   std::unique_ptr<Server> qi_;
   std::unique_ptr<Server> tls_;
   std::unique_ptr<Server> msgpack_;

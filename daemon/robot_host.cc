@@ -34,7 +34,8 @@ rpc::HubOptions RobotHost::hubOptions(const HostContext& context) {
   options.machine_id = machineId();
   options.process_id = static_cast<std::uint32_t>(::getpid());
   options.credentials = context.credentials;
-  options.call_later = services_.later();
+  options.alarm = services_.alarm();
+  options.task_ids = context.task_ids;
   options.clock = [this] { return services_.now(); };
   return options;
 }
@@ -67,16 +68,20 @@ services::RobotServicesSetup RobotHost::servicesSetup(const HostContext& context
 services::ScriptLauncher RobotHost::scriptLauncher(const HostContext& context) {
   const Options& options = context.options;
   if (options.scripts.empty()) return {};
-  const bool everywhere = options.listen == "0.0.0.0" || options.listen == "::";
-  const std::string host = everywhere ? "127.0.0.1" : options.listen;
-  return [this, &io = context.io, modules = options.scripts, host](const auto& file, auto ended) {
+  const std::string& first = options.listen.front();
+  const bool everywhere = first == "0.0.0.0" || first == "::";
+  const ScriptProcess::Job job{
+      {}, options.scripts, everywhere ? "127.0.0.1" : first, context.script_token};
+  return [this, &io = context.io, job](const auto& file, auto ended) {
+    ScriptProcess::Job started = job;
+    started.file = file;
+    started.address += ":" + std::to_string(endpoints_->qiPort());
     const auto place = std::make_shared<std::weak_ptr<ScriptProcess>>();
     const auto process =
-        ScriptProcess::start(io, {file, modules, host + ":" + std::to_string(endpoints_->qiPort())},
-                             [this, place, ended](const std::string& failure) {
-                               scripts_.erase(place->lock());
-                               ended(failure);
-                             });
+        ScriptProcess::start(io, started, [this, place, ended](const std::string& failure) {
+          scripts_.erase(place->lock());
+          ended(failure);
+        });
     *place = process;
     scripts_.insert(process);
     return [weak = std::weak_ptr<ScriptProcess>(process)] {

@@ -27,6 +27,8 @@ struct HostContext {
   runtime::Simulation& simulation;
   const Options& options;
   std::shared_ptr<const rpc::Credentials> credentials;  // null: every client is let in
+  std::shared_ptr<rpc::TaskIds> task_ids;
+  std::string script_token;  // that the code in boxes names; empty: none is asked for
 };
 
 /// One robot as its clients see it: its services, their directory and the port it listens on.

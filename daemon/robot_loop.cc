@@ -8,6 +8,7 @@
 
 #include "core/check.h"
 #include "core/overloaded.h"
+#include "daemon/prompt_thread.h"
 
 namespace nao::daemon {
 namespace {
@@ -54,6 +55,7 @@ void RobotLoop::wake() {
 }
 
 void RobotLoop::run() {
+  makeThreadPrompt();
   pace_.restart(pace_.speed(), simulation_.now(), std::chrono::steady_clock::now());
   while (!stopping_) {
     handleRequests();
@@ -88,7 +90,9 @@ void RobotLoop::advance() {
   const auto wall = std::chrono::steady_clock::now();
   const auto due = pace_.due(simulation_.now(), wall);
   if (due > wall) waitUntil(due);
-  if (due <= std::chrono::steady_clock::now()) advanceBy(kCycle);
+  if (due > std::chrono::steady_clock::now()) return;
+  advanceBy(kCycle);
+  if (told_) told_(std::chrono::steady_clock::now() - due);
 }
 
 void RobotLoop::advanceBy(Duration duration) {

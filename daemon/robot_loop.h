@@ -69,6 +69,9 @@ class RobotLoop {
   /// Before start(): while this is true a world at full speed, or one that is stepped, waits: no
   /// picture may be missing. Called on the simulation thread; must not block.
   void holdWhile(std::function<bool()> hold) { hold_ = std::move(hold); }
+  /// Before start(): told after every cycle, on the simulation thread, how long after it was due it
+  /// was published.
+  void onCycle(std::function<void(std::chrono::nanoseconds late)> told) { told_ = std::move(told); }
   /// From any thread: what the loop may be waiting for has changed.
   void wake();
 
@@ -88,6 +91,7 @@ class RobotLoop {
   runtime::Simulation& simulation_;
   std::function<void()> after_cycle_;
   std::function<bool()> hold_;
+  std::function<void(std::chrono::nanoseconds)> told_;
   Mailbox<LoopRequest> requests_{256};
   Mailbox<LoopOutcome> outcomes_{4096};
   std::vector<LoopOutcome> unsent_;

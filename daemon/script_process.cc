@@ -19,8 +19,10 @@ namespace {
 
 constexpr int kAlive = 3;  // descriptor of the pipe in the process; it gets no others but 0 to 2
 
-// This program's environment, with the Python client first where Python looks for modules.
-std::vector<std::string> environmentWith(const std::string& modules) {
+// This program's environment, with the Python client first where Python looks for modules, and who
+// that is to say it is.
+std::vector<std::string> environmentOf(const ScriptProcess::Job& job) {
+  const std::string modules = job.modules.string();
   const std::string name = "PYTHONPATH=";
   std::string path = name + modules;
   std::vector<std::string> all;
@@ -33,6 +35,9 @@ std::vector<std::string> environmentWith(const std::string& modules) {
     }
   }
   all.push_back(path);
+  if (job.token.empty()) return all;
+  all.push_back(std::string("USARNAOQI_USER=") + ScriptProcess::kUser);
+  all.push_back("USARNAOQI_TOKEN=" + job.token);
   return all;
 }
 
@@ -72,7 +77,7 @@ void ScriptProcess::run(const Job& job) {
   alive_.assign(ends[0]);
   std::vector<std::string> words = {"python3",         "-m",        "usarnaoqi_behavior",
                                     job.file.string(), "--address", job.address};
-  std::vector<std::string> environment = environmentWith(job.modules.string());
+  std::vector<std::string> environment = environmentOf(job);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, ends[1], kAlive);

@@ -17,7 +17,10 @@ class ScriptProcess : public std::enable_shared_from_this<ScriptProcess> {
     std::filesystem::path file;     // the behavior.xar
     std::filesystem::path modules;  // the folder of the Python client
     std::string address;            // of the robot, host:port
+    std::string token;              // of the user kUser; empty: none is asked for
   };
+  static constexpr char kUser[] = "usarnaoqi-script";
+
   using Ended = std::function<void(const std::string& failure)>;
 
   /// `ended` is told later, once, unless the process is let go before.

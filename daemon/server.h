@@ -6,9 +6,8 @@
 #include <functional>
 #include <list>
 #include <memory>
-#include <string>
 
-#include "daemon/listening.h"
+#include "daemon/listener.h"
 #include "daemon/session.h"
 
 namespace nao::daemon {
@@ -19,33 +18,32 @@ using MakeStream =
 
 /// Listens for the clients of one wire of one robot. I/O thread.
 ///
-/// When all places are taken, a client that comes takes that of the one that has been silent since
-/// it came longest; if all have opened their connections, it is accepted and closed.
+/// When all places are taken, a client that comes takes that of one that has been silent too long
+/// (daemon/places.h); if there is none, it is accepted and closed.
 class Server {
  public:
   static constexpr std::size_t kMostConnections = 1024;
 
   /// @throws InputError naming the address when it can not be listened on.
   Server(boost::asio::io_context& io, const Address& address, MakeStream make_stream,
-         MakeConnection make_connection);
+         MakeConnection make_connection,
+         std::shared_ptr<ByteBudget> budget = std::make_shared<ByteBudget>());
   ~Server();
 
-  std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
+  std::uint16_t port() const { return listener_.port(); }
   std::size_t connectionCount() const { return sessions_.size(); }
   void close();
 
  private:
-  void accept();
-
   void take(boost::asio::ip::tcp::socket socket);
   bool hasPlace();
 
   MakeStream make_stream_;
   MakeConnection make_connection_;
-  boost::asio::ip::tcp::acceptor acceptor_;
-  boost::asio::steady_timer breath_;
+  std::shared_ptr<ByteBudget> budget_;
   Stream::ReadBuffer buffer_{};
   std::list<std::shared_ptr<Session>> sessions_;  // the oldest first
+  Listener listener_;
 };
 
 }  // namespace nao::daemon

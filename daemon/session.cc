@@ -12,10 +12,11 @@ constexpr std::size_t kPiece = 64U << 10U;
 }  // namespace
 
 Session::Session(boost::asio::any_io_executor executor, std::unique_ptr<Stream> stream,
-                 MakeConnection make_connection, Closed closed)
+                 MakeConnection make_connection, std::shared_ptr<ByteBudget> budget, Closed closed)
     : executor_(std::move(executor)),
       stream_(std::move(stream)),
       make_connection_(std::move(make_connection)),
+      budget_(std::move(budget)),
       closed_(std::move(closed)),
       half_message_clock_(executor_),
       opening_clock_(executor_) {}
@@ -49,7 +50,9 @@ void Session::read() {
 void Session::got(const Error& error, const std::uint8_t* bytes, std::size_t count) {
   if (error) return close();
   if (is_closed_) return;
+  last_heard_ = std::chrono::steady_clock::now();
   connection_->receive(bytes, count);
+  account();
   if (mustCloseNow()) return close();
   if (opening_watched_ && connection_->isOpen()) {
     opening_watched_ = false;
@@ -69,6 +72,7 @@ void Session::send(rpc::Bytes message) {
   } else {
     unsent_.push_back(std::move(message));
   }
+  if (unsent_bytes_ > accounted_ + kPiece) account();
   if (unsent_bytes_ > kStopReading && connection_) connection_->hold();
   if (unsent_bytes_ > kGiveUp && unsent_.size() > 1) {  // one large answer alone may go
     overflowed_ = true;
@@ -76,6 +80,15 @@ void Session::send(rpc::Bytes message) {
   } else {
     flushSoon();
   }
+}
+
+void Session::account() {
+  const std::size_t now = unsent_bytes_ + (connection_ ? connection_->bytesHeld() : 0);
+  const bool fits = budget_->change(accounted_, now);
+  accounted_ = now;
+  if (fits || overflowed_) return;
+  overflowed_ = true;
+  closeSoon();
 }
 
 void Session::closeSoon() {  // the connection is on the stack
@@ -105,6 +118,7 @@ void Session::written(const Error& error) {
   if (error || is_closed_) return close();
   unsent_bytes_ -= unsent_.front().size();
   unsent_.pop_front();
+  account();
   if (!flushing_) flush();  // else the loop there goes on
   if (is_closed_) return;
   if (connection_->isHeld() && unsent_bytes_ <= kStopReading) connection_->resume();
@@ -117,7 +131,7 @@ bool Session::mustCloseNow() const {
 }
 
 void Session::watchHalfMessage() {
-  const auto clock = half_message_.look(connection_->holdsHalf(), connection_->isHeld(),
+  const auto clock = half_message_.look(connection_->bytesHeld() > 0, connection_->isHeld(),
                                         connection_->messagesTaken());
   if (clock == HalfMessage::Clock::GoOn) return;
   half_message_clock_.cancel();
@@ -134,6 +148,7 @@ void Session::closeAfter(boost::asio::steady_timer& clock, std::chrono::seconds 
 
 void Session::close() {
   if (std::exchange(is_closed_, true)) return;
+  (void)budget_->change(accounted_, 0);
   const auto connection = std::move(connection_);
   stream_->close();
   half_message_clock_.cancel();

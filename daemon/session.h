@@ -2,12 +2,14 @@
 
 #include <boost/asio/any_io_executor.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <chrono>
 #include <cstdint>
 #include <deque>
 #include <functional>
 #include <memory>
 #include <string>
 
+#include "daemon/byte_budget.h"
 #include "daemon/half_message.h"
 #include "daemon/stream.h"
 #include "naoqi_api/wire/connection.h"
@@ -21,7 +23,8 @@ using MakeConnection = std::function<std::unique_ptr<wire::Connection>(const std
 /// One client's socket: carries bytes to and from its connection and keeps its limits. Messages
 /// that arise in one turn of the loop leave together. Above kStopReading unsent bytes it takes no
 /// more messages from that client, above kGiveUp (events and late answers pile up) it closes:
-/// replies and events are never dropped one by one. I/O thread.
+/// replies and events are never dropped one by one. It also closes when all clients together leave
+/// too much here and this one is among those who do. I/O thread.
 class Session : public std::enable_shared_from_this<Session> {
  public:
   static constexpr std::size_t kStopReading = 1U << 20U;
@@ -32,7 +35,7 @@ class Session : public std::enable_shared_from_this<Session> {
   using Closed = std::function<void(const std::shared_ptr<Session>&)>;
 
   Session(boost::asio::any_io_executor executor, std::unique_ptr<Stream> stream,
-          MakeConnection make_connection, Closed closed);
+          MakeConnection make_connection, std::shared_ptr<ByteBudget> budget, Closed closed);
 
   void start();
 
@@ -41,6 +44,9 @@ class Session : public std::enable_shared_from_this<Session> {
 
   /// False while the client has not said enough to be one.
   bool isOpen() const { return connection_ && connection_->isOpen(); }
+
+  /// When bytes came last, at first when it came itself.
+  std::chrono::steady_clock::time_point lastHeard() const { return last_heard_; }
 
  private:
   using Error = Stream::Error;
@@ -56,15 +62,19 @@ class Session : public std::enable_shared_from_this<Session> {
   void closeAfter(boost::asio::steady_timer& clock, std::chrono::seconds patience);
   void closeSoon();
   bool mustCloseNow() const;
+  void account();
 
   boost::asio::any_io_executor executor_;
   std::unique_ptr<Stream> stream_;
   MakeConnection make_connection_;
+  std::shared_ptr<ByteBudget> budget_;
+  std::size_t accounted_ = 0;  // to it
   Closed closed_;
   HalfMessage half_message_;
   boost::asio::steady_timer half_message_clock_;
   boost::asio::steady_timer opening_clock_;
   std::unique_ptr<wire::Connection> connection_;
+  std::chrono::steady_clock::time_point last_heard_ = std::chrono::steady_clock::now();
   std::deque<rpc::Bytes> unsent_;  // the first one may be on its way
   std::size_t unsent_bytes_ = 0;
   bool reading_ = false;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "daemon/poll_session.h"
 #include "daemon/tcp_stream.h"
 #include "daemon/web_rules.h"
 #include "daemon/web_socket.h"
@@ -25,7 +26,8 @@ constexpr std::uint32_t kMaxHeader = 8192;
 /// Answers HTTP requests on one socket.
 class HttpClient : public WebClient, public std::enable_shared_from_this<HttpClient> {
  public:
-  HttpClient(WebServer& server, tcp::socket socket) : server_(server), stream_(std::move(socket)) {
+  HttpClient(WebServer& server, tcp::socket socket)
+      : server_(server), endpoint_(dialledAddress("tcp", socket)), stream_(std::move(socket)) {
     tuneSocket(stream_.socket());
   }
 
@@ -40,14 +42,26 @@ class HttpClient : public WebClient, public std::enable_shared_from_this<HttpCli
   }
 
  private:
-  using Request = http::request<http::empty_body>;
+  using Request = http::request<http::string_body>;
   using Response = http::response<http::string_body>;
 
   void read() {
     parser_.emplace();
     parser_->header_limit(kMaxHeader);
-    parser_->body_limit(0);
     stream_.expires_after(kPatience);
+    http::async_read_header(stream_, buffer_, *parser_,
+                            [self = shared_from_this()](const auto& error, std::size_t /*count*/) {
+                              if (error || self->is_closed_) return self->leave();
+                              self->readBody();
+                            });
+  }
+
+  // Only a page that polls has something to say, and only once it has a session.
+  void readBody() {
+    const WebRequest wanted = readTarget(targetOf(parser_->get()));
+    const bool polls = wanted.kind == WebRequest::Kind::Poll &&
+                       server_.findPollSession(wanted.session, endpoint_) != nullptr;
+    parser_->body_limit(polls ? wire::QijsConnection::kMaxText : 0);
     http::async_read(stream_, buffer_, *parser_,
                      [self = shared_from_this()](const auto& error, std::size_t /*count*/) {
                        if (error || self->is_closed_) return self->leave();
@@ -55,19 +69,22 @@ class HttpClient : public WebClient, public std::enable_shared_from_this<HttpCli
                      });
   }
 
+  static std::string targetOf(const Request& request) { return std::string(request.target()); }
+
   void leave() {
     close();
     server_.remove(shared_from_this());
   }
 
   void take(const Request& request) {
-    const WebRequest wanted = readTarget(std::string(request.target()));
+    const WebRequest wanted = readTarget(targetOf(request));
     const WebAddress address{std::string(request[http::field::host]),
                              std::string(request[http::field::origin])};
     if (!isAllowed(address, server_.ownName(), server_.content().origins)) {
       return answer(request, http::status::forbidden, "Not from there: see --allow-origin.\n");
     }
     if (wanted.kind == WebRequest::Kind::Socket) return upgrade(request, wanted.session);
+    if (wanted.kind == WebRequest::Kind::Poll) return poll(request, wanted.session);
     if (!mayPass(request)) return askWhoItIs(request);
     if (request.method() != http::verb::get) {
       return answer(request, http::status::method_not_allowed, "Expected GET.\n");
@@ -96,8 +113,10 @@ class HttpClient : public WebClient, public std::enable_shared_from_this<HttpCli
       case WebRequest::Kind::Script:
         return answer(request, http::status::ok, server_.content().script, "text/javascript");
       case WebRequest::Kind::Handshake:  // session : heartbeats [s] : closed after [s] : transports
-        return answer(request, http::status::ok, server_.startSession() + ":15:25:websocket");
+        return answer(request, http::status::ok,
+                      server_.startSession() + ":15:25:websocket,xhr-polling");
       case WebRequest::Kind::Socket:
+      case WebRequest::Kind::Poll:
       case WebRequest::Kind::Unknown:
         return answer(request, http::status::not_found, "There is nothing here.\n");
     }
@@ -129,6 +148,22 @@ class HttpClient : public WebClient, public std::enable_shared_from_this<HttpCli
                       });
   }
 
+  // The name of its session is what a page is known by.
+  void poll(const Request& request, const std::string& name) {
+    const auto session = server_.findPollSession(name, endpoint_);
+    if (!session) {
+      return answer(request, http::status::not_found, "Expected a session: shake hands first.\n");
+    }
+    if (request.method() == http::verb::post) {
+      if (session->take(request.body())) return answer(request, http::status::ok, "1");
+      return answer(request, http::status::bad_request, "Expected packets of socket.io 0.9.\n");
+    }
+    stream_.expires_never();
+    session->poll([self = shared_from_this(), request](std::string text) {
+      if (!self->is_closed_) self->answer(request, http::status::ok, std::move(text));
+    });
+  }
+
   void upgrade(const Request& request, const std::string& session) {
     if (!beast::websocket::is_upgrade(request)) {
       return answer(request, http::status::bad_request, "Expected a WebSocket.\n");
@@ -143,9 +178,10 @@ class HttpClient : public WebClient, public std::enable_shared_from_this<HttpCli
   }
 
   WebServer& server_;
+  std::string endpoint_;
   beast::tcp_stream stream_;
   beast::flat_buffer buffer_;
-  std::optional<http::request_parser<http::empty_body>> parser_;
+  std::optional<http::request_parser<http::string_body>> parser_;
   int failures_ = 0;  // to say who it is
   bool is_closed_ = false;
 };

@@ -65,8 +65,10 @@ WebRequest readTarget(std::string_view target) {
     if (!startsWith(target, version)) continue;
     const std::string_view rest = target.substr(version.size());
     constexpr std::string_view kSocket = "websocket/";
+    constexpr std::string_view kPoll = "xhr-polling/";
     if (rest.empty()) return {Kind::Handshake, {}};
     if (startsWith(rest, kSocket)) return {Kind::Socket, std::string(rest.substr(kSocket.size()))};
+    if (startsWith(rest, kPoll)) return {Kind::Poll, std::string(rest.substr(kPoll.size()))};
   }
   return {};
 }

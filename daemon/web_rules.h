@@ -25,9 +25,9 @@ bool isAuthorized(std::string_view header, const rpc::Credentials& credentials);
 
 /// What the path of a request asks for.
 struct WebRequest {
-  enum class Kind { Page, Script, Handshake, Socket, Unknown };
+  enum class Kind { Page, Script, Handshake, Socket, Poll, Unknown };
   Kind kind = Kind::Unknown;
-  std::string session;  // of Socket
+  std::string session;  // of Socket and Poll
 };
 
 WebRequest readTarget(std::string_view target);

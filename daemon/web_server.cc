@@ -1,12 +1,13 @@
 #include "daemon/web_server.h"
 
-#include <openssl/rand.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
-#include "core/check.h"
+#include "daemon/poll_session.h"
+#include "daemon/random_name.h"
 #include "daemon/web_client.h"
 
 namespace nao::daemon {
@@ -21,48 +22,24 @@ std::string hostName() {
 
 WebServer::WebServer(boost::asio::io_context& io, const Address& address, rpc::ServiceHub& hub,
                      WebContent content)
-    : hub_(hub), content_(std::move(content)), own_name_(hostName()), acceptor_(io), breath_(io) {
-  listenOn(acceptor_, address);
-  accept();
-}
+    : hub_(hub),
+      content_(std::move(content)),
+      own_name_(hostName()),
+      listener_(io, address, [this](boost::asio::ip::tcp::socket socket) {
+        if (clients_.size() < kMostClients) serveWebClient(*this, std::move(socket));
+      }) {}
 
 WebServer::~WebServer() { close(); }
 
 void WebServer::close() {
-  boost::system::error_code ignored;
-  acceptor_.close(ignored);
-  breath_.cancel();
+  listener_.close();
   for (const auto& client : std::exchange(clients_, {})) client->close();
 }
 
-void WebServer::accept() {
-  acceptor_.async_accept(
-      [this](const boost::system::error_code& error, boost::asio::ip::tcp::socket socket) {
-        if (error == boost::asio::error::operation_aborted || !acceptor_.is_open()) return;
-        if (error) {
-          breath_.expires_after(kBreath);
-          breath_.async_wait([this](const auto& stopped) {
-            if (!stopped) accept();
-          });
-          return;
-        }
-        if (clients_.size() < kMostClients) serveWebClient(*this, std::move(socket));
-        accept();
-      });
-}
-
 std::string WebServer::startSession() {
-  unsigned char bytes[16];
-  NAO_CHECK(RAND_bytes(bytes, sizeof bytes) == 1);
-  constexpr char kDigits[] = "0123456789abcdef";
-  std::string name;
-  for (const unsigned char byte : bytes) {
-    name += kDigits[byte >> 4U];
-    name += kDigits[byte & 15U];
-  }
-  sessions_.push_back(name);
+  sessions_.push_back(makeRandomName());
   if (sessions_.size() > kMostSessions) sessions_.pop_front();
-  return name;
+  return sessions_.back();
 }
 
 bool WebServer::takeSession(const std::string& name) {
@@ -70,6 +47,20 @@ bool WebServer::takeSession(const std::string& name) {
   if (found == sessions_.end()) return false;
   sessions_.erase(found);
   return true;
+}
+
+std::shared_ptr<PollSession> WebServer::findPollSession(const std::string& name,
+                                                        const std::string& endpoint) {
+  const auto found = polling_.find(name);
+  if (found != polling_.end()) return found->second.lock();
+  if (clients_.size() >= kMostClients || !takeSession(name)) return nullptr;
+  for (auto it = polling_.begin(); it != polling_.end();) {
+    it = it->second.expired() ? polling_.erase(it) : std::next(it);
+  }
+  auto session = std::make_shared<PollSession>(*this, listener_.executor(), endpoint);
+  polling_[name] = session;
+  clients_.insert(session);
+  return session;
 }
 
 }  // namespace nao::daemon

@@ -1,15 +1,14 @@
 #pragma once
 
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/steady_timer.hpp>
 #include <deque>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "daemon/server.h"
+#include "daemon/listener.h"
 #include "naoqi_api/service_hub.h"
 
 namespace nao::daemon {
@@ -21,6 +20,8 @@ class WebClient {
   virtual void close() = 0;
 };
 
+class PollSession;
+
 /// What web clients are served.
 struct WebContent {
   std::string page;                  // at /
@@ -29,7 +30,8 @@ struct WebContent {
 };
 
 /// HTTP for one robot: its page, the qi.js client, and qi.js' own wire (socket.io 0.9 over
-/// WebSocket). Asks for user and token (HTTP's Basic) where the hub has credentials. I/O thread.
+/// WebSocket or by polling). Asks for user and token (HTTP's Basic) where the hub has credentials.
+/// I/O thread.
 class WebServer {
  public:
   static constexpr std::size_t kMostClients = 256;    // further ones are accepted and closed
@@ -40,29 +42,30 @@ class WebServer {
             WebContent content);
   ~WebServer();
 
-  std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
+  std::uint16_t port() const { return listener_.port(); }
   void close();
 
   // For its clients:
   rpc::ServiceHub& hub() { return hub_; }
   const WebContent& content() const { return content_; }
   const std::string& ownName() const { return own_name_; }
-  /// A session's unguessable name, to be taken up once by a WebSocket.
+  /// A session's unguessable name, to be taken up once, by a WebSocket or by polling.
   std::string startSession();
   bool takeSession(const std::string& name);
+  /// The polling session of that name, which may begin here; null if there is none to be had.
+  std::shared_ptr<PollSession> findPollSession(const std::string& name,
+                                               const std::string& endpoint);
   void add(const std::shared_ptr<WebClient>& client) { clients_.insert(client); }
   void remove(const std::shared_ptr<WebClient>& client) { clients_.erase(client); }
 
  private:
-  void accept();
-
   rpc::ServiceHub& hub_;
   WebContent content_;
   std::string own_name_;
-  boost::asio::ip::tcp::acceptor acceptor_;
-  boost::asio::steady_timer breath_;
   std::set<std::shared_ptr<WebClient>> clients_;
-  std::deque<std::string> sessions_;
+  std::deque<std::string> sessions_;  // not taken up
+  std::map<std::string, std::weak_ptr<PollSession>> polling_;
+  Listener listener_;
 };
 
 }  // namespace nao::daemon

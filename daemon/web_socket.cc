@@ -18,7 +18,7 @@ namespace {
 namespace beast = boost::beast;
 namespace websocket = beast::websocket;
 using boost::asio::ip::tcp;
-using Request = beast::http::request<beast::http::empty_body>;
+using Request = beast::http::request<beast::http::string_body>;
 
 constexpr std::chrono::seconds kHeartbeat{10};  // pages wait 15 s for one
 constexpr int kMostSilentBeats = 3;

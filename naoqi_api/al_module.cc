@@ -37,7 +37,7 @@ Pending<Value> callAny(const Caller& caller, const Value& member, const Argument
 
 int post(const Caller& caller, std::uint32_t uid, const Arguments& arguments) {
   Tasks& tasks = tasksOf(caller);
-  return tasks.start(callAny(caller, Value(uid), arguments));
+  return tasks.start(callAny(caller, Value(uid), arguments), caller.session);
 }
 
 Pending<Value> callNow(const Caller& caller, const Value& call) {
@@ -48,6 +48,16 @@ Pending<Value> callNow(const Caller& caller, const Value& call) {
 
 Pending<bool> wait(const Caller& caller, int id, int timeout_ms) {
   return tasksOf(caller).wait(id, timeout_ms);
+}
+
+Pending<void> waitForEnd(const Caller& caller, int id) {
+  const Pending<bool> ended = tasksOf(caller).wait(id, 0);
+  Pending<void> result;
+  ended.whenDone([result](const auto& outcome) {
+    outcome.isCanceled() ? result.cancelNow() : result.resolve();
+  });
+  result.cancelsWith(ended);
+  return result;
 }
 
 bool isRunning(const Caller& caller, int id) { return tasksOf(caller).isRunning(id); }
@@ -98,10 +108,18 @@ std::function<R(P...)> function(R (*plain)(P...)) {
   return plain;
 }
 
+const Argument kTask{"id", "What .post returned."};
+
 }  // namespace
 
+void addShortWait(Service& service) {
+  constexpr std::uint32_t kWait = 108;
+  const Method* wait = service.findMethod(kWait);
+  if (!wait || wait->name != "wait") return;
+  service.method("wait", function(waitForEnd), "Waits for a posted call without a limit.", kTask);
+}
+
 Service alModule(std::string name, std::string meaning) {
-  const Argument task{"id", "What .post returned."};
   return Service(std::move(name), std::move(meaning))
       .method("exit", function(exitModule), "Ends the module; refused here.")
       .method("__pCall", function(post), "Starts a method without waiting for it: .post.",
@@ -115,9 +133,9 @@ Service alModule(std::string name, std::string meaning) {
               Argument{"methodName", "Its name."})
       .method("getModuleHelp", function(moduleHelp), "What the module is for.")
       .method("wait", function(wait), "Waits for a posted call; true if the time-out came first.",
-              task, Argument{"timeoutPeriod", "[ms] of simulated time; 0: no limit."})
-      .method("isRunning", function(isRunning), "Whether a posted call has not ended.", task)
-      .method("stop", function(stop), "Stops a posted call, if it can be stopped.", task)
+              kTask, Argument{"timeoutPeriod", "[ms] of simulated time; 0: no limit."})
+      .method("isRunning", function(isRunning), "Whether a posted call has not ended.", kTask)
+      .method("stop", function(stop), "Stops a posted call, if it can be stopped.", kTask)
       .method("getBrokerName", function(brokerName), "The name of the broker.")
       .method("getUsage", function(usage), "One line on a method.", Argument{"name", "Its name."});
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "naoqi_api/call_error.h"
+#include "naoqi_api/fits.h"
 #include "naoqi_api/pending.h"
 #include "naoqi_api/signature.h"
 #include "naoqi_api/value.h"
@@ -50,11 +51,19 @@ Value toValue(const T& value) {
   return ValueType<T>::make(value);
 }
 
+/// The same, parsed once.
+template <class T>
+const Signature& typeOf() {
+  static const Signature type = Signature::of(signatureOf<T>());
+  return type;
+}
+
 template <class T>
 T Value::to() const {
-  const std::string wanted = ValueType<T>::signature();
-  const auto fitting = convert(*this, Signature::of(wanted), Bend::Loose);
-  if (!fitting) throw CallError("expected " + Signature::of(wanted).words() + ", got " + print());
+  const Signature& wanted = typeOf<T>();
+  if (fits(*this, wanted)) return ValueType<T>::read(*this);
+  const auto fitting = convert(*this, wanted, Bend::Loose);
+  if (!fitting) throw CallError("expected " + wanted.words() + ", got " + print());
   return ValueType<T>::read(*fitting);
 }
 
@@ -102,7 +111,7 @@ template <>
 struct ValueType<Value> {
   static std::string signature() { return "m"; }
   static Value make(const Value& value) { return value; }
-  static Value read(const Value& value) { return value; }
+  static const Value& read(const Value& value) { return value; }
 };
 template <>
 struct ValueType<std::shared_ptr<Service>> {

@@ -2,11 +2,12 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace nao::rpc {
 
-/// Who may be a client: the pairs of user and token of `--auth FILE`. Immutable.
+/// Who may be a client: the pairs of user and token of `--auth FILE`.
 class Credentials {
  public:
   static constexpr std::size_t kLongest = 256;  // letters of a user or a token
@@ -17,6 +18,11 @@ class Credentials {
   /// Reads lines of "user token"; empty ones and those that begin with # are skipped.
   /// @throws InputError with file and line
   static Credentials load(const std::string& path);
+
+  /// One more, of the program's own.
+  void add(std::string user, std::string token) {
+    pairs_.push_back({std::move(user), std::move(token)});
+  }
 
   /// Takes as long for a wrong pair as for a right one, wherever it is wrong.
   bool accept(std::string_view user, std::string_view token) const;

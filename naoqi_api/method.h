@@ -69,11 +69,23 @@ template <class... P>
 struct Parameters {
   static constexpr bool kTakesCaller = false;
   using Values = std::tuple<std::decay_t<P>...>;
+
+  /// What a handler is called with; a Value is lent, not copied.
+  static auto read(const std::vector<Value>& arguments) {
+    return readEach(arguments, std::index_sequence_for<P...>());
+  }
+
+ private:
+  template <std::size_t... kIndex>
+  static auto readEach([[maybe_unused]] const std::vector<Value>& arguments,
+                       std::index_sequence<kIndex...> /*all*/) {
+    using Type = std::tuple<decltype(ValueType<std::decay_t<P>>::read(arguments[kIndex]))...>;
+    return Type(ValueType<std::decay_t<P>>::read(arguments[kIndex])...);
+  }
 };
 template <class... P>
-struct Parameters<const Caller&, P...> {
+struct Parameters<const Caller&, P...> : Parameters<P...> {
   static constexpr bool kTakesCaller = true;
-  using Values = std::tuple<std::decay_t<P>...>;
 };
 
 template <std::size_t kDocumented, class... P>
@@ -101,7 +113,7 @@ Pending<Value> complete(const F& call) {
         result.resolve(toValue<Stored>(*outcome.value));
       }
     });
-    result.cancelsWith(pending);
+    if (!result.isDone()) result.cancelsWith(pending);
   } else {
     result.resolve(toValue<R>(call()));
   }
@@ -112,10 +124,8 @@ Pending<Value> complete(const F& call) {
 template <class R, class... P, class F>
 Handler handlerOf(F function) {
   using Shape = Parameters<P...>;
-  using Values = typename Shape::Values;
   return [function](const Caller& caller, const std::vector<Value>& arguments) {
-    const auto values = ValueType<Values>::readItems(
-        arguments, std::make_index_sequence<std::tuple_size_v<Values>>());
+    const auto values = Shape::read(arguments);
     return complete<R>([&]() -> R {
       return std::apply(
           [&](const auto&... value) -> R {

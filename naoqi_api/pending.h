@@ -65,10 +65,10 @@ class Pending {
   }
 
   /// For a call that only waits, so that a cancel has nothing to end: it can be canceled, and it
-  /// is, should its client go.
-  void onlyWaits() const {
+  /// is, should its client go. `forget` is called then.
+  void onlyWaits(std::function<void()> forget = [] {}) const {
     if (state_->outcome) return;
-    state_->stop = [] {};
+    state_->stop = std::move(forget);
     state_->only_waits = true;
   }
 

@@ -22,6 +22,8 @@ struct Release {
   bool relative;        // RelativeEndpointURI: services at qi:<name>
   bool cancels;         // RemoteCancelableCalls
   bool strict;          // the first message must authenticate
+  bool reflex;          // a walk stops before obstacles
+  bool numbers;         // the first window of a name is name_0
   services::ServiceInfoFields service_info;
 };
 
@@ -30,12 +32,12 @@ using Fields = services::ServiceInfoFields;
 // What differs on the wire: reference table of captures and of libqi's published sources. 1.x spoke
 // SOAP, which is not simulated: its wire is that of 2.1.
 constexpr Release kReleases[] = {
-    {"1.12", 112, "1.12.5", false, false, false, false, Fields::Six},
-    {"1.14", 114, "1.14.5", false, false, false, false, Fields::Six},
-    {"2.1", 201, "2.1.4.13", false, false, false, false, Fields::Six},
-    {"2.5", 205, "2.5.5.5", false, false, true, false, Fields::Six},
-    {"2.8", 208, "2.8.7.4", true, false, true, false, Fields::Six},
-    {"2.9", 209, "2.9.5.172", true, true, true, true, Fields::Seven},
+    {"1.12", 112, "1.12.5", false, false, false, false, false, false, Fields::Six},
+    {"1.14", 114, "1.14.5", false, false, false, false, false, false, Fields::Six},
+    {"2.1", 201, "2.1.4.13", false, false, false, false, true, true, Fields::Six},
+    {"2.5", 205, "2.5.5.5", false, false, true, false, true, true, Fields::Six},
+    {"2.8", 208, "2.8.7.4", true, false, true, false, true, true, Fields::Six},
+    {"2.9", 209, "2.9.5.172", true, true, true, true, true, true, Fields::Seven},
 };
 
 // Which NAOqi a robot's hardware had last, or for longest.
@@ -60,6 +62,8 @@ Personality Personality::naoqi(const std::string& version) {
     personality.capabilities["RelativeEndpointURI"] = release.relative;
     personality.capabilities["RemoteCancelableCalls"] = release.cancels;
     personality.needs_authentication = release.strict;
+    personality.has_obstacle_reflex = release.reflex;
+    personality.numbers_first_window = release.numbers;
     personality.service_info = release.service_info;
     return personality;
   }

@@ -21,6 +21,12 @@ struct Personality {
   /// capabilities), libqi 4 refuses every call until the client has authenticated.
   bool needs_authentication = false;
 
+  /// Whether a walk stops before what the sonar hears: from 2.0 on.
+  bool has_obstacle_reflex = true;
+
+  /// Whether ALVideoDevice numbers the first window of a name, too (name_0); 1.x did not.
+  bool numbers_first_window = true;
+
   services::ServiceInfoFields service_info = services::ServiceInfoFields::Six;
 
   /// Whether metaobjects carry the texts about members; libqi's own have none.

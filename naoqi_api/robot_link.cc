@@ -51,9 +51,23 @@ rpc::Pending<void> RobotLink::until(std::function<bool(const motion::MotionState
   if (holds(waiting, state.get())) {
     waiting.pending.resolve();
   } else {
+    forgetCanceled();
     waiting_.push_back(waiting);
   }
   return waiting.pending;
+}
+
+// Clients come, wait and go also while time stands still.
+void RobotLink::forgetCanceled() {
+  if (waiting_.size() < forget_at_) return;
+  const auto is_done = [](const Waiting& waiting) { return waiting.pending.isDone(); };
+  waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(), is_done), waiting_.end());
+  forget_at_ = std::max(kForgetAt, 2 * waiting_.size());
+}
+
+bool RobotLink::isSettled() const {
+  const auto state = ports_->state.get();
+  return state && state->last_accepted >= last_posted_;
 }
 
 bool RobotLink::holds(const Waiting& waiting, const motion::MotionState* state) {

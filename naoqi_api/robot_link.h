@@ -53,13 +53,18 @@ class RobotLink {
   auto whenSettled(F read) {
     using Result = std::invoke_result_t<F>;
     rpc::Pending<Result> result;
-    until({}).whenDone([result, read](const auto& /*settled*/) {
+    const auto readNow = [result, read](const auto& /*settled*/) {
       try {
         result.resolve(read());
       } catch (const rpc::CallError& error) {
         result.fail(error.what());
       }
-    });
+    };
+    if (isSettled()) {
+      readNow(0);
+    } else {
+      until({}).whenDone(readNow);
+    }
     return result;
   }
 
@@ -91,6 +96,10 @@ class RobotLink {
     std::uint64_t id = 0;
     std::function<void()> callback;
   };
+  static constexpr std::size_t kForgetAt = 64;
+
+  bool isSettled() const;
+  void forgetCanceled();
   static bool holds(const Waiting& waiting, const motion::MotionState* state);
   void deliverOutcomes();
   void deliverConditions();
@@ -102,6 +111,7 @@ class RobotLink {
   motion::RequestId last_posted_ = 0;
   std::map<motion::RequestId, rpc::Pending<motion::MotionOutcome>> awaited_;
   std::vector<Waiting> waiting_;
+  std::size_t forget_at_ = kForgetAt;  // so many waiting, some of them canceled perhaps
   std::multimap<SimTime, Timer> timers_;
   std::uint64_t last_timer_ = 0;
   std::uint64_t set_back_ = 0;  // seen last, with

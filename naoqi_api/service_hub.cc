@@ -1,17 +1,19 @@
 #include "naoqi_api/service_hub.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "core/check.h"
 #include "naoqi_api/object_uid.h"
 #include "naoqi_api/services/service_directory.h"
+#include "naoqi_api/signal_tracer.h"
 
 namespace nao::rpc {
 
 using services::ServiceInfo;
 
-ServiceHub::ServiceHub(HubOptions options) : options_(std::move(options)) {
-  if (!options_.tasks) options_.tasks = std::make_shared<Tasks>(options_.call_later);
+ServiceHub::ServiceHub(HubOptions options)
+    : options_(std::move(options)), tasks_(options_.alarm, options_.task_ids) {
   if (!options_.clock) options_.clock = [] { return Duration(0); };
   add(services::makeServiceDirectory(*this));
 }
@@ -25,6 +27,13 @@ std::uint32_t ServiceHub::insert(Entry entry) {
 
 std::uint32_t ServiceHub::add(std::shared_ptr<Service> service) {
   NAO_CHECK(find(service->name()) == nullptr);
+  SignalTracer::watch(service, [this, alive = std::weak_ptr<int>(alive_)](
+                                   Service& traced, std::uint32_t uid, const auto& arguments) {
+    if (alive.expired()) return;
+    const auto now = std::chrono::duration_cast<std::chrono::microseconds>(options_.clock());
+    traced.monitor().trace(takeTraceId(), Monitor::Event::Signal, uid, Value::list(arguments),
+                           now.count());
+  });
   Entry entry;
   entry.name = service->name();
   entry.service = std::move(service);

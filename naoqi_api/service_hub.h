@@ -22,10 +22,10 @@ struct HubOptions {
   Personality personality = Personality::naoqi();
   std::string machine_id;  // a uuid, as text
   std::uint32_t process_id = 0;
-  CallLater call_later;             // for time-outs, in simulated time
+  Alarm alarm;                      // for time-outs, in simulated time
   std::function<Duration()> clock;  // NaoQi's clock since its epoch; default: stands at 0
-  std::shared_ptr<const Credentials> credentials;  // null: every client is let in
-  std::shared_ptr<Tasks> tasks;                    // of the process; default: the hub's own
+  std::shared_ptr<const Credentials> credentials;                   // null: every client is let in
+  std::shared_ptr<TaskIds> task_ids = std::make_shared<TaskIds>();  // of the process
 };
 
 /// The services behind one listening address (one robot), by number and name, and the directory
@@ -77,7 +77,7 @@ class ServiceHub {
   const Signal<std::uint32_t, std::string>& serviceRemoved() const { return removed_; }
 
   const HubOptions& options() const { return options_; }
-  Tasks& tasks() { return *options_.tasks; }
+  Tasks& tasks() { return tasks_; }
 
   /// A number for a call that is traced, never used before; not 0.
   std::uint32_t takeTraceId() { return next_trace_id_++; }
@@ -92,6 +92,7 @@ class ServiceHub {
   std::vector<std::string> relativeEndpoints(const Entry& entry) const;
 
   HubOptions options_;
+  Tasks tasks_;
   std::map<std::uint32_t, Entry> entries_;
   std::uint32_t next_id_ = 1;
   std::uint64_t next_session_id_ = 1;

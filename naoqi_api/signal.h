@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,11 +14,40 @@
 
 namespace nao::rpc {
 
+/// What a signal tells its listeners: the arguments, and what the first of them made of these for
+/// all others, so that an event is encoded once however many clients hear of it.
+class Emission {
+ public:
+  /// `arguments` outlive it.
+  explicit Emission(const std::vector<Value>& arguments) : arguments_(arguments) {}
+  Emission(const Emission&) = delete;
+  Emission& operator=(const Emission&) = delete;
+
+  const std::vector<Value>& arguments() const { return arguments_; }
+  operator const std::vector<Value>&() const { return arguments_; }  // NOLINT: what most need
+
+  /// What make() returned at the first call with this `form`, such as a signature; null if it made
+  /// nothing then. It may depend on the form and the arguments alone.
+  template <class Make>
+  const Bytes* encoded(const std::string& form, const Make& make) const {
+    if (form_ != form) {
+      bytes_ = make();
+      form_ = form;
+    }
+    return bytes_ ? &*bytes_ : nullptr;
+  }
+
+ private:
+  const std::vector<Value>& arguments_;
+  mutable std::optional<std::string> form_;
+  mutable std::optional<Bytes> bytes_;
+};
+
 /// The untyped core of a signal: who listens, and how to tell them. A handle: copies share the
 /// listeners. I/O thread only.
 class Emitter {
  public:
-  using Listener = std::function<void(const std::vector<Value>& arguments)>;
+  using Listener = std::function<void(const Emission&)>;  // or of the arguments
 
   /// `signature` is a tuple such as "(is)".
   explicit Emitter(std::string signature);
@@ -26,12 +55,15 @@ class Emitter {
   const std::string& signature() const { return state_->signature; }
 
   /// Tells every listener, in the order they came. The arguments must fit the signature.
-  void emit(const std::vector<Value>& arguments) const;
+  void emit(const std::vector<Value>& arguments) const { pass(Emission(arguments)); }
+
+  /// The same for what another signal of the same signature has emitted.
+  void pass(const Emission& emission) const;
 
   /// Returns the number to disconnect with.
   std::uint64_t connect(Listener listener) const;
   void disconnect(std::uint64_t link) const;
-  std::size_t listenerCount() const { return state_->listeners.size(); }
+  std::size_t listenerCount() const { return state_->count; }
 
   /// The same emitter as long as somebody else keeps it; does not keep it itself.
   std::function<std::optional<Emitter>()> weak() const;
@@ -40,14 +72,35 @@ class Emitter {
   void onListeners(std::function<void(std::size_t)> changed) const;
 
  private:
+  /// One who listens, or has gone: then it stays in its place until nobody is being told.
+  struct Entry {
+    std::uint64_t link = 0;
+    bool is_gone = false;
+    Listener listener;
+  };
   struct State {
     std::string signature;
-    std::map<std::uint64_t, Listener> listeners;
+    std::deque<Entry> listeners;  // by link; where they are they stay while more come
+    std::size_t count = 0;        // of those that have not gone
+    int telling = 0;              // emissions under way
+    bool left_meanwhile = false;  // some have
     std::uint64_t next_link = 1;
     std::function<void(std::size_t)> changed;
   };
+  /// An emission under way.
+  class Telling {
+   public:
+    explicit Telling(State& state) : state_(state) { ++state_.telling; }
+    Telling(const Telling&) = delete;
+    Telling& operator=(const Telling&) = delete;
+    ~Telling();
+
+   private:
+    State& state_;
+  };
   explicit Emitter(std::shared_ptr<State> state) : state_(std::move(state)) {}
   void tellChange() const;
+  static void forgetGone(State& state);
 
   std::shared_ptr<State> state_;
 };

@@ -139,6 +139,13 @@ const std::vector<Value>* Value::findItems() const {
   return nullptr;
 }
 
+std::optional<std::vector<Value>> Value::takeItems() && {
+  if (auto* list = std::get_if<List>(&content_)) return std::move(list->items);
+  if (auto* tuple = std::get_if<Tuple>(&content_)) return std::move(tuple->items);
+  const auto* items = findItems();
+  return items ? std::optional(*items) : std::nullopt;
+}
+
 std::optional<double> Value::findNumber() const {
   return std::visit(
       [](const auto& content) -> std::optional<double> {

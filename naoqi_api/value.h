@@ -114,8 +114,9 @@ class Value {
     return std::get_if<T>(&bare().content_);
   }
   const std::string* findText() const { return find<std::string>(); }
-  const std::vector<Value>* findItems() const;  // of a list or a tuple
-  std::optional<double> findNumber() const;     // of any int, float or bool
+  const std::vector<Value>* findItems() const;       // of a list or a tuple
+  std::optional<std::vector<Value>> takeItems() &&;  // the same, moved where nobody shares them
+  std::optional<double> findNumber() const;          // of any int, float or bool
   SharedBytes findBytes() const;
 
   /// As the C++ type T, as loosely as NaoQi's ALValue: a tuple is a list, one value is a list of

@@ -24,7 +24,7 @@ def figures(folder):
     runs = medians(folder)
     return {**step_figures(runs), **robot_figures(runs), **snapshot_figures(runs),
             **memory_figures(pathlib.Path(folder) / "robots.txt"), **render_figures(runs),
-            **walk_figures(runs)}
+            **walk_figures(runs), **wire_figures(pathlib.Path(folder) / "wire.txt")}
 
 
 def step_figures(runs):
@@ -76,6 +76,11 @@ def memory_figures(experiment):
     """From `usarnaoqi experiment robots`: a fresh process, or freed memory hides what robots take."""
     rows = json.loads(experiment.read_text())["figures"]["rows"]
     return {"memory_mb_per_robot": max(row["memory_mb"] for row in rows)}
+
+
+def wire_figures(bench):
+    """Calls and events of the qi wire, with the echo beside them: as bench/wire_bench prints them."""
+    return json.loads(bench.read_text())
 
 
 def snapshot_figures(runs):

@@ -54,9 +54,13 @@ std::size_t countArguments(const std::string& parameters) {
   return rpc::Signature::of(parameters).children().size();
 }
 
+constexpr char kUnknown[] = "(?)";
+
+// Of a method whose parameters are not known any form will do.
 bool has(const rpc::Service& service, const DocumentedMethod& wanted) {
   for (const auto& [uid, method] : service.methods()) {
-    if (method.name == wanted.name &&
+    if (method.name != wanted.name) continue;
+    if (wanted.parameters == kUnknown ||
         countArguments(method.parameters_signature) == countArguments(wanted.parameters)) {
       return true;
     }
@@ -86,7 +90,14 @@ rpc::Method refuse(const std::string& service, const DocumentedMethod& documente
 
 void addMissing(const DocumentedService& documented, rpc::Service& service) {
   for (const DocumentedMethod& method : documented.methods) {
-    if (!has(service, method)) service.add(refuse(documented.name, method));
+    if (has(service, method)) continue;
+    if (method.parameters != kUnknown) {
+      service.add(refuse(documented.name, method));
+      continue;
+    }
+    for (const char* form : {"()", "(m)", "(mm)", "(mmm)"}) {
+      service.add(refuse(documented.name, {method.name, form, method.returns}));
+    }
   }
 }
 

@@ -10,7 +10,7 @@ namespace nao::services {
 /// A method as NaoQi's documentation or published interfaces name it.
 struct DocumentedMethod {
   std::string name;
-  std::string parameters;  // "(sf)"
+  std::string parameters;  // "(sf)"; "(?)": how many and which is not published
   std::string returns;
 };
 

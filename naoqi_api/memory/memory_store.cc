@@ -136,11 +136,19 @@ const Entry* MemoryStore::find(const std::string& key) const {
 }
 
 std::shared_ptr<void> MemoryStore::listen(const std::string& key, Listener listener) {
+  return connect(key, [key, listener = std::move(listener)](const std::vector<Value>& arguments) {
+    listener(key, arguments.front());
+  });
+}
+
+std::shared_ptr<void> MemoryStore::pass(const std::string& key, const rpc::Emitter& signal) {
+  return connect(key, [signal](const rpc::Emission& emission) { signal.pass(emission); });
+}
+
+std::shared_ptr<void> MemoryStore::connect(const std::string& key,
+                                           rpc::Emitter::Listener listener) {
   const rpc::Emitter emitter = listeners_->try_emplace(key, "(m)").first->second;
-  const std::uint64_t link =
-      emitter.connect([key, listener = std::move(listener)](const std::vector<Value>& arguments) {
-        listener(key, arguments.front());
-      });
+  const std::uint64_t link = emitter.connect(std::move(listener));
   return std::make_shared<Token>(listeners_, key, emitter, link);
 }
 

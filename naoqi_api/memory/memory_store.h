@@ -76,6 +76,8 @@ class MemoryStore {
   /// Tells `listener` whenever the key is raised, until the returned token is gone. The key need
   /// not exist.
   [[nodiscard]] std::shared_ptr<void> listen(const std::string& key, Listener listener);
+  /// The same for all that listens to `signal`, whose signature is "(m)".
+  [[nodiscard]] std::shared_ptr<void> pass(const std::string& key, const rpc::Emitter& signal);
   std::size_t listenerCount(const std::string& key) const;
 
   /// For what comes from clients, before it is written. @throws CallError if there is no room for
@@ -88,6 +90,8 @@ class MemoryStore {
  private:
   using Listeners = std::map<std::string, rpc::Emitter>;
   class Token;
+
+  std::shared_ptr<void> connect(const std::string& key, rpc::Emitter::Listener listener);
 
   /// A key about to be written, and the event to raise about that once it is: null if there is no
   /// news. Listeners come last, as they may change the store.

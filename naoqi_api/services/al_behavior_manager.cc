@@ -41,8 +41,8 @@ class AlBehaviorManager {
 
   rpc::Pending<void> runBehavior(const std::string& name);
   void startBehavior(const std::string& name) { runner_->load(name).start(); }
-  void stopBehavior(const std::string& name) { runner_->load(name).stop(); }
-  void stopAllBehaviors();
+  rpc::Pending<void> stopBehavior(const std::string& name);
+  rpc::Pending<void> stopAllBehaviors();
   bool preloadBehavior(const std::string& name);
 
   bool install(const std::string& path);
@@ -99,8 +99,10 @@ void AlBehaviorManager::declareRuns(rpc::Service& service) {
             "Runs a behavior and waits for its end.", kName);
   addMethod(service, "startBehavior", this, &Self::startBehavior,
             "Starts a behavior and does not wait.", kName);
-  addMethod(service, "stopBehavior", this, &Self::stopBehavior, "Ends a behavior.", kName);
-  addMethod(service, "stopAllBehaviors", this, &Self::stopAllBehaviors, "Ends all behaviors.");
+  addMethod(service, "stopBehavior", this, &Self::stopBehavior,
+            "Ends a behavior; waits until its motion has ended.", kName);
+  addMethod(service, "stopAllBehaviors", this, &Self::stopAllBehaviors,
+            "Ends all behaviors; waits until their motions have ended.");
   addMethod(service, "preloadBehavior", this, &Self::preloadBehavior,
             "Reads a behavior, so that it starts at once later.", kName);
 }
@@ -140,8 +142,21 @@ rpc::Pending<void> AlBehaviorManager::runBehavior(const std::string& name) {
   return playback.untilEnd();
 }
 
-void AlBehaviorManager::stopAllBehaviors() {
-  for (const std::string& name : runner_->running()) runner_->load(name).stop();
+rpc::Pending<void> AlBehaviorManager::stopBehavior(const std::string& name) {
+  return runner_->load(name).stop();
+}
+
+rpc::Pending<void> AlBehaviorManager::stopAllBehaviors() {
+  const auto running = runner_->running();
+  const auto left = std::make_shared<std::size_t>(running.size());
+  rpc::Pending<void> stopped;
+  if (running.empty()) stopped.resolve();
+  for (const std::string& name : running) {
+    stopBehavior(name).whenDone([left, stopped](const auto& /*outcome*/) {
+      if (--*left == 0) stopped.resolve();
+    });
+  }
+  return stopped;
 }
 
 bool AlBehaviorManager::preloadBehavior(const std::string& name) {

@@ -1,6 +1,8 @@
 #include "naoqi_api/services/al_memory.h"
 
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <utility>
 
 #include "naoqi_api/call_error.h"
@@ -188,15 +190,28 @@ void AlMemory::removeEvent(const std::string& key) {
   for (const std::string& module : callbacks_.modulesOf(key)) callbacks_.remove(key, module);
   memory_.store().removeListeners(key);
   memory_.store().remove(key);
+  subscribers_.erase(key);
 }
 
+// One for all clients: an event is passed on once, however many listen.
 std::shared_ptr<rpc::Service> AlMemory::subscriber(const std::string& event) {
+  if (auto known = subscribers_[event].lock()) return known;
   const rpc::Signal<Value> signal;
-  auto token = memory_.store().listen(
-      event, [signal](const std::string& /*event*/, const Value& value) { signal(value); });
+  auto token = memory_.store().pass(event, signal.emitter());
   auto object = std::make_shared<rpc::Service>("subscriber", "Tells of " + event + ".");
   object->signal("signal", signal).owning(std::move(token));
+  forgetSubscribers();
+  subscribers_[event] = object;
   return object;
+}
+
+// Those of events that nobody listens to any more, now and then.
+void AlMemory::forgetSubscribers() {
+  if (subscribers_.size() < forget_at_) return;
+  for (auto it = subscribers_.begin(); it != subscribers_.end();) {
+    it = it->second.expired() ? subscribers_.erase(it) : std::next(it);
+  }
+  forget_at_ = std::max(kForgetAt, 2 * subscribers_.size());
 }
 
 void AlMemory::subscribeToEvent(const rpc::Caller& caller, const std::string& event,

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -84,6 +85,10 @@ class AlMemory {
   void describeWriting(rpc::Service& service);
   void describeEvents(rpc::Service& service);
   void describeSubscribing(rpc::Service& service);
+  void describeInner(rpc::Service& service);
+
+  static constexpr std::size_t kForgetAt = 64;
+  void forgetSubscribers();
 
   memory::Stamped read(const std::string& key) const;  // @throws CallError
 
@@ -97,6 +102,8 @@ class AlMemory {
   AlMemoryCallbacks callbacks_;
   FindService find_service_;
   std::vector<Awaited> awaited_;
+  std::map<std::string, std::weak_ptr<rpc::Service>> subscribers_;  // by event
+  std::size_t forget_at_ = kForgetAt;                               // so many of them
   int mappings_ = 0;
 };
 

@@ -26,7 +26,38 @@ rpc::Service AlMemory::describe() {
   describeWriting(service);
   describeEvents(service);
   describeSubscribing(service);
+  describeInner(service);
   return service;
+}
+
+// What NaoQi's own modules use among themselves.
+void AlMemory::describeInner(rpc::Service& service) {
+  using Self = AlMemory;
+  addFunction(
+      service, "_insertObject",
+      [this](const std::string& name, const rpc::Value& data, int) { insertData(name, data); },
+      "As insertData.", key(), value(), Argument{"bufferSize", "Changes nothing."})
+      .at(147);
+  for (const char* name : {"getIntPtr", "getFloatPtr"}) {
+    service.method(name, this, &Self::getDataPtr, "Only inside the robot; refused.", key())
+        .returning("X");
+  }
+  addFunction(
+      service, "_perf", [] {}, "Has no effect: nothing is measured.")
+      .at(144)
+      .answering(rpc::Answer::Simplified);
+  addFunction(
+      service, "_subscribeOnDataSetTimePolicy", [](const std::string&, const std::string&, int) {},
+      "Has no effect.", key(), module(),
+      Argument{"nPolicy", "Ignored: every event is told at once."})
+      .at(148)
+      .answering(rpc::Answer::Simplified);
+  addFunction(
+      service, "_subscribeOnDataSetSynchronizeResponse",
+      [](const std::string&, const std::string&, bool) {}, "Has no effect.", key(), module(),
+      Argument{"bSynchronizeResponse", "Ignored: nothing waits for a callback's answer."})
+      .at(149)
+      .answering(rpc::Answer::Simplified);
 }
 
 void AlMemory::describeReading(rpc::Service& service) {

@@ -5,10 +5,12 @@
 #include "naoqi_api/services/al_motion_cartesian.h"
 #include "naoqi_api/services/al_motion_footsteps.h"
 #include "naoqi_api/services/al_motion_geometry.h"
+#include "naoqi_api/services/al_motion_inner.h"
 #include "naoqi_api/services/al_motion_stiffness.h"
 #include "naoqi_api/services/al_motion_switches.h"
 #include "naoqi_api/services/al_motion_tasks.h"
 #include "naoqi_api/services/al_motion_tools.h"
+#include "naoqi_api/services/al_motion_trajectory.h"
 #include "naoqi_api/services/al_motion_walk.h"
 #include "naoqi_api/services/al_motion_whole_body.h"
 
@@ -28,6 +30,11 @@ void addPart(rpc::Service& service, RobotLink& link) {
 }  // namespace
 
 std::shared_ptr<rpc::Service> makeAlMotion(RobotLink& link) {
+  return makeAlMotion(link, std::make_shared<ObstacleReflex>(link));
+}
+
+std::shared_ptr<rpc::Service> makeAlMotion(RobotLink& link,
+                                           const std::shared_ptr<ObstacleReflex>& reflex) {
   auto service = std::make_shared<rpc::Service>(
       rpc::alModule("ALMotion", "Joint angles, stiffness, walking, and facts about the body."));
   service->startAt(kFirstFreeUid);
@@ -41,6 +48,10 @@ std::shared_ptr<rpc::Service> makeAlMotion(RobotLink& link) {
   addPart<AlMotionTools>(*service, link);
   addPart<AlMotionTasks>(*service, link);
   addPart<AlMotionSwitches>(*service, link);
+  reflex->declare(*service);
+  service->owning(reflex);
+  addPart<AlMotionTrajectory>(*service, link);
+  addPart<AlMotionInner>(*service, link);
   return service;
 }
 

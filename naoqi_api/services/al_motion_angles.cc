@@ -1,7 +1,6 @@
 #include "naoqi_api/services/al_motion_angles.h"
 
 #include "naoqi_api/services/al_motion_bezier.h"
-#include "naoqi_api/services/al_motion_names.h"
 #include "naoqi_api/services/naoqi_method.h"
 
 namespace nao::services {
@@ -101,7 +100,7 @@ void AlMotionAngles::changeAngles(const rpc::Value& names, const rpc::Value& cha
 
 void AlMotionAngles::post(const rpc::Value& names, const rpc::Value& angles,
                           std::vector<double> fractions, bool relative) {
-  const auto joints = jointsNamed(link_.model(), readNames(names));
+  const auto joints = names_.find(names);
   const auto targets = spreadNumbers(joints.size(), angles);
   if (fractions.size() == 1) fractions.resize(joints.size(), fractions[0]);
   if (fractions.size() != joints.size()) {
@@ -122,11 +121,13 @@ void AlMotionAngles::post(const rpc::Value& names, const rpc::Value& angles,
 
 rpc::Pending<std::vector<float>> AlMotionAngles::getAngles(const rpc::Value& names,
                                                            bool use_sensors) {
-  const auto joints = jointsNamed(link_.model(), readNames(names));
+  const auto joints = names_.find(names);
   return link_.whenSettled([this, joints, use_sensors] {
-    const JointArray<double> all =
-        use_sensors ? link_.sensors()->angle : link_.state()->command.angle;
+    const auto sensors = use_sensors ? link_.sensors() : nullptr;
+    const auto state = use_sensors ? nullptr : link_.state();
+    const JointArray<double>& all = use_sensors ? sensors->angle : state->command.angle;
     std::vector<float> angles;
+    angles.reserve(joints.size());
     for (const Joint joint : joints) angles.push_back(static_cast<float>(all[joint]));
     return angles;
   });
@@ -156,7 +157,7 @@ rpc::Pending<void> AlMotionAngles::angleInterpolationWithSpeed(const rpc::Value&
                                                                float fraction) {
   motion::InterpolateWithSpeed request;
   request.fraction = readFraction(fraction);
-  const auto joints = jointsNamed(link_.model(), readNames(names));
+  const auto joints = names_.find(names);
   const auto targets = spreadNumbers(joints.size(), angles);
   motion::JointSet seen;
   for (std::size_t i = 0; i < joints.size(); ++i) {

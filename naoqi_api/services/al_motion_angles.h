@@ -5,13 +5,14 @@
 
 #include "naoqi_api/robot_link.h"
 #include "naoqi_api/service.h"
+#include "naoqi_api/services/al_motion_names.h"
 
 namespace nao::services {
 
 /// The part of ALMotion that moves and reads joints.
 class AlMotionAngles {
  public:
-  explicit AlMotionAngles(RobotLink& link) : link_(link) {}
+  explicit AlMotionAngles(RobotLink& link) : link_(link), names_(link.model()) {}
   void declare(rpc::Service& service);
 
  private:
@@ -38,6 +39,7 @@ class AlMotionAngles {
   rpc::Pending<void> moveHand(const std::string& hand, double opening);
 
   RobotLink& link_;
+  JointNames names_;
 };
 
 }  // namespace nao::services

@@ -115,6 +115,29 @@ std::vector<std::string> readNames(const rpc::Value& names) {
   return names.to<std::vector<std::string>>();
 }
 
+JointNames::JointNames(const RobotModel& model) : model_(model) {
+  const auto add = [this](const std::string& name) { joints_[name] = jointsNamed(model_, {name}); };
+  for (const Actuator& actuator : model.actuators) add(actuator.name);
+  for (const auto& [name, meant] : model.aliases) add(name);
+  for (const auto& [name, members] : model.groups) {
+    if (name != "Chains") add(name);
+  }
+}
+
+std::vector<Joint> JointNames::find(const rpc::Value& names) const {
+  const auto* items = names.findItems();
+  std::vector<Joint> joints;
+  if (!items) return jointsNamed(model_, readNames(names));
+  joints.reserve(items->size());
+  for (const rpc::Value& item : *items) {
+    const std::string* name = item.findText();
+    const auto found = name ? joints_.find(*name) : joints_.end();
+    if (found == joints_.end()) return jointsNamed(model_, readNames(names));  // which says why
+    joints.insert(joints.end(), found->second.begin(), found->second.end());
+  }
+  return joints;
+}
+
 std::vector<Course> spreadCourses(const RobotModel& model, const std::vector<std::string>& names,
                                   const rpc::Value& values, const rpc::Value& times) {
   const std::vector<Joint> joints = jointsNamed(model, names);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "core/robot_model.h"
@@ -18,6 +19,19 @@ std::vector<Joint> jointsNamed(const RobotModel& model, const std::vector<std::s
 
 /// One name or a list of them. @throws CallError if it is something else.
 std::vector<std::string> readNames(const rpc::Value& names);
+
+/// What jointsNamed() says of a robot, looked up once.
+class JointNames {
+ public:
+  explicit JointNames(const RobotModel& model);
+
+  /// The joints of one name or of a list of names. @throws CallError
+  std::vector<Joint> find(const rpc::Value& names) const;
+
+ private:
+  const RobotModel& model_;
+  std::unordered_map<std::string, std::vector<Joint>> joints_;  // by every name there is
+};
 
 /// A joint's values and the times for them.
 struct Course {

@@ -67,7 +67,6 @@ bool* protectionOf(const std::string& name, motion::SetWalkProtection& protectio
 void AlMotionSwitches::declare(rpc::Service& service) {
   declareArms(service);
   declareReflexes(service);
-  declareDistances(service);
   declareIdle(service);
 }
 
@@ -98,16 +97,6 @@ void AlMotionSwitches::declareReflexes(rpc::Service& service) {
   addMethod(service, "getCollisionProtectionEnabled", this, &Self::getCollisionProtectionEnabled,
             "Whether an arm keeps out of the body.", Argument{"pChainName", "LArm, RArm or Arms."})
       .at(228);
-  addMethod(service, "setExternalCollisionProtectionEnabled", this,
-            &Self::setExternalCollisionProtectionEnabled,
-            "Remembers whether a chain or the walk is to avoid obstacles.",
-            Argument{"pName", "A chain, Arms, Move or All."}, kEnable)
-      .at(229);
-  addMethod(service, "getExternalCollisionProtectionEnabled", this,
-            &Self::getExternalCollisionProtectionEnabled,
-            "Whether a chain or the walk is to avoid obstacles.",
-            Argument{"pName", "A chain, Arms, Move or All."})
-      .at(232);
   addMethod(service, "isCollision", this, &Self::isCollision,
             "How near an arm's command is to the body: none, near (20 mm) or collision (1 mm).",
             chain)
@@ -131,23 +120,6 @@ void AlMotionSwitches::declareReflexes(rpc::Service& service) {
             "Whether a robot that holds still is no stiffer than it needs.")
       .at(251);
   declareSwitch(service, "DiagnosisEffect", true, 252, 253);
-}
-
-void AlMotionSwitches::declareDistances(rpc::Service& service) {
-  using Self = AlMotionSwitches;
-  const Argument distance{"securityDistance", "Distance [m]."};
-  addMethod(service, "setOrthogonalSecurityDistance", this, &Self::setOrthogonalSecurityDistance,
-            "Remembers the distance to keep from an obstacle ahead.", distance)
-      .at(233);
-  addMethod(service, "getOrthogonalSecurityDistance", this, &Self::getOrthogonalSecurityDistance,
-            "The distance to keep from an obstacle ahead [m].")
-      .at(234);
-  addMethod(service, "setTangentialSecurityDistance", this, &Self::setTangentialSecurityDistance,
-            "Remembers the distance to keep from an obstacle beside.", distance)
-      .at(235);
-  addMethod(service, "getTangentialSecurityDistance", this, &Self::getTangentialSecurityDistance,
-            "The distance to keep from an obstacle beside [m].")
-      .at(236);
 }
 
 void AlMotionSwitches::declareIdle(rpc::Service& service) {
@@ -257,18 +229,6 @@ void AlMotionSwitches::setFallManagerEnabled(bool enable) {
 void AlMotionSwitches::setSmartStiffnessEnabled(bool enable) {
   link_.post(motion::SetSmartStiffness{enable});
   smart_stiffness_ = enable;
-}
-
-void AlMotionSwitches::setExternalCollisionProtectionEnabled(const std::string& name, bool enable) {
-  if (name == "Move" || name == "All") external_collision_protection_["Move"] = enable;
-  if (name != "Move") ChainSwitch(link_.model()).set(external_collision_protection_, name, enable);
-}
-
-bool AlMotionSwitches::getExternalCollisionProtectionEnabled(const std::string& name) {
-  const auto move = external_collision_protection_.find("Move");
-  const bool move_on = move == external_collision_protection_.end() || move->second;
-  if (name == "Move" || (name == "All" && !move_on)) return move_on;
-  return ChainSwitch(link_.model()).get(external_collision_protection_, name, true);
 }
 
 void AlMotionSwitches::setIdle(const std::string& name, motion::SetIdle::Mode mode) {

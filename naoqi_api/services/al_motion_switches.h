@@ -20,7 +20,6 @@ class AlMotionSwitches {
  private:
   void declareArms(rpc::Service& service);
   void declareReflexes(rpc::Service& service);
-  void declareDistances(rpc::Service& service);
   void declareIdle(rpc::Service& service);
 
   /// Two methods, set<name>Enabled(bool) and get<name>Enabled(), on one remembered switch.
@@ -40,12 +39,6 @@ class AlMotionSwitches {
   bool getFallManagerEnabled() { return fall_manager_; }
   void setSmartStiffnessEnabled(bool enable);
   bool getSmartStiffnessEnabled() { return smart_stiffness_; }
-  void setExternalCollisionProtectionEnabled(const std::string& name, bool enable);
-  bool getExternalCollisionProtectionEnabled(const std::string& name);
-  void setOrthogonalSecurityDistance(float distance) { orthogonal_distance_ = distance; }
-  float getOrthogonalSecurityDistance() { return orthogonal_distance_; }
-  void setTangentialSecurityDistance(float distance) { tangential_distance_ = distance; }
-  float getTangentialSecurityDistance() { return tangential_distance_; }
 
   void setIdle(const std::string& chain, motion::SetIdle::Mode mode);
   void setBreathEnabled(const std::string& chain, bool enable);
@@ -65,12 +58,9 @@ class AlMotionSwitches {
   motion::SetWalkFeedback walk_feedback_;
   bool fall_manager_ = true;
   bool smart_stiffness_ = true;
-  std::map<std::string, bool> external_collision_protection_;  // by chain, Move or All; on at first
-  std::map<std::string, bool> breath_;                         // by chain; off at first
-  std::map<std::string, bool> idle_posture_;                   // by chain; off at first
+  std::map<std::string, bool> breath_;        // by chain; off at first
+  std::map<std::string, bool> idle_posture_;  // by chain; off at first
   motion::SetBreath breath_config_;
-  float orthogonal_distance_ = 0.4F;  // [m] NaoQi's default
-  float tangential_distance_ = 0.1F;  // [m] NaoQi's default
   bool notifications_ = true;
 };
 

@@ -103,8 +103,7 @@ rpc::Pending<std::string> AlMotionTools::getSummary() {
     for (const std::string& name : getBodyNames("Body")) {
       const Joint joint = *link_.model().findJoint(name);
       std::snprintf(line, sizeof line, "%20.20s %10.6f %10.6f %10.6f\n", name.c_str(),
-                    state->stiffness[joint], state->command.angle[joint],
-                    sensors->angle[joint]);
+                    state->stiffness[joint], state->command.angle[joint], sensors->angle[joint]);
       table += line;
     }
     table += "---------------------- Tasks --------------------------\n";

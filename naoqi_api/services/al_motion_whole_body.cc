@@ -85,18 +85,27 @@ void AlMotionWholeBody::declare(rpc::Service& service) {
             Argument{"pUseOfWholeBody",
                      "True: as wbSetEffectorControl of an enabled Head, false: the head alone."})
       .at(270);
+  declareInner(service);
 }
 
-void AlMotionWholeBody::wbEnable(bool on) { link_.post(motion::WbEnable{on}); }
+void AlMotionWholeBody::wbEnable(bool on) {
+  link_.post(motion::WbEnable{on});
+  if (!on) asked_ = {};
+  asked_.enabled = on;
+}
 
 void AlMotionWholeBody::wbFootState(const std::string& state, const std::string& feet) {
   checkFeet(link_.model());
   link_.post(motion::WbFootState{readState(state), readFeet(feet)});
+  for (auto& [foot, known] : asked_.feet) {
+    if (feet == "Legs" || feet == foot) known = state;
+  }
 }
 
 void AlMotionWholeBody::wbEnableBalanceConstraint(bool on, const std::string& feet) {
   checkFeet(link_.model());
   link_.post(motion::WbBalance{on, readFeet(feet)});
+  asked_.balance = on ? feet : "";
 }
 
 rpc::Pending<bool> AlMotionWholeBody::wbGoToBalance(const std::string& feet, float seconds) {
@@ -121,6 +130,7 @@ rpc::Pending<bool> AlMotionWholeBody::wbGoToBalanceWithSpeed(const std::string& 
 void AlMotionWholeBody::wbEnableEffectorControl(const std::string& chain, bool on) {
   checkEffector(link_.model(), chain);
   link_.post(motion::WbEffector{chain, on});
+  asked_.controlled[chain] = on;
 }
 
 void AlMotionWholeBody::wbSetEffectorControl(const std::string& chain, const rpc::Value& target) {
@@ -138,6 +148,7 @@ void AlMotionWholeBody::wbEnableEffectorOptimization(const std::string& chain, b
   if (chain == "LLeg" || chain == "RLeg" || chain == "Torso") return;
   checkEffector(link_.model(), chain);
   link_.post(motion::WbOptimize{chain, on});
+  asked_.optimized[chain] = on;
 }
 
 void AlMotionWholeBody::updateTrackerTarget(float wy, float wz, int /*age_ms*/, bool whole_body) {

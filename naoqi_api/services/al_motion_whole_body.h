@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "core/frames.h"
@@ -15,6 +16,10 @@ class AlMotionWholeBody {
   void declare(rpc::Service& service);
 
  private:
+  void declareInner(rpc::Service& service);
+  void declareEffectors(rpc::Service& service);
+  void declareWeights(rpc::Service& service);
+
   void wbEnable(bool on);
   void wbFootState(const std::string& state, const std::string& feet);
   void wbEnableBalanceConstraint(bool on, const std::string& feet);
@@ -26,7 +31,15 @@ class AlMotionWholeBody {
   void updateTrackerTarget(float wy, float wz, int age_ms, bool whole_body);
   void lookAlong(const Vec3& direction_R);  // with the head; in the robot's frame
 
+  /// What was asked for, for methods that tell it.
+  struct Asked {
+    bool enabled = false;
+    std::string balance;  // Legs, LLeg, RLeg; none
+    std::map<std::string, std::string> feet{{"LLeg", "Free"}, {"RLeg", "Free"}};
+    std::map<std::string, bool> controlled, optimized;  // by effector
+  };
   RobotLink& link_;
+  Asked asked_;
 };
 
 }  // namespace nao::services

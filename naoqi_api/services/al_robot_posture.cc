@@ -8,6 +8,7 @@
 #include "naoqi_api/al_module.h"
 #include "naoqi_api/services/al_motion_names.h"
 #include "naoqi_api/services/naoqi_method.h"
+#include "naoqi_api/services/posture_library.h"
 
 namespace nao::services {
 namespace {
@@ -16,7 +17,7 @@ constexpr std::uint32_t kFirstFreeUid = 155;  // after the last one of a V5
 
 class AlRobotPosture {
  public:
-  explicit AlRobotPosture(RobotLink& link) : link_(link) {}
+  explicit AlRobotPosture(RobotLink& link) : link_(link), library_(link) {}
   void declare(rpc::Service& service);
 
  private:
@@ -31,6 +32,7 @@ class AlRobotPosture {
   void attempt(const motion::GoToPosture& request, int tries_left, const rpc::Pending<bool>& done);
 
   RobotLink& link_;
+  PostureLibrary library_;
   int max_tries_ = 3;                // NaoQi's default
   motion::RequestId under_way_ = 0;  // the request posted last
 };
@@ -62,9 +64,11 @@ void AlRobotPosture::declare(rpc::Service& service) {
   addMethod(service, "getPosture", this, &Self::getPosture,
             "The posture the robot is in, or Unknown.")
       .at(120);
+  library_.declare(service);
 }
 
 rpc::Pending<bool> AlRobotPosture::goToPosture(const std::string& name, float fraction) {
+  if (library_.holds(name)) return library_.goTo(name, readFraction(fraction));
   if (link_.model().findPosture(name) == nullptr) {
     throw rpc::CallError("unknown posture name: " + name);
   }
@@ -101,6 +105,7 @@ std::vector<std::string> AlRobotPosture::getPostureList() {
   for (const Posture& posture : link_.model().postures) {
     if (posture.name.rfind('_', 0) != 0) names.push_back(posture.name);  // NaoQi's own ones
   }
+  for (const std::string& name : library_.savedNames()) names.push_back(name);
   return names;
 }
 

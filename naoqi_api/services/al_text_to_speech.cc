@@ -97,7 +97,9 @@ double speedOf(float parameter) {
 
 AlTextToSpeech::AlTextToSpeech(memory::MemoryStore& memory, rpc::CallLater call_later,
                                SpeechQueue::Speak speak)
-    : queue_(memory, std::move(call_later), std::move(speak)) {
+    : call_later_(call_later),
+      speak_(speak),
+      queue_(memory, std::move(call_later), std::move(speak)) {
   for (const Language& language : kLanguages) voices_[language.name] = defaultVoiceOf(language);
   for (const Parameter& parameter : kParameters) parameters_[parameter.name] = parameter.initial;
 }
@@ -124,6 +126,12 @@ std::vector<std::string> AlTextToSpeech::getAvailableLanguages() {
 std::string AlTextToSpeech::getLanguageEncoding(const std::string& language) {
   languageNamed(language);
   return "UTF-8";
+}
+
+voice::Manner AlTextToSpeech::manner() const {
+  const float pitch = parameters_.at("pitchShift");
+  return {languageNamed(language_).locale, speedOf(parameters_.at("speed")),
+          pitch > 0 ? static_cast<double>(pitch) : 1.0};
 }
 
 std::string AlTextToSpeech::locale() { return languageNamed(language_).locale; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "naoqi_api/memory/memory_store.h"
 #include "naoqi_api/service.h"
 #include "naoqi_api/services/speech_queue.h"
+#include "naoqi_api/voice/voice.h"
 
 namespace nao::services {
 
@@ -20,6 +22,9 @@ class AlTextToSpeech {
   /// @param speak is told each text when it begins to be said
   AlTextToSpeech(memory::MemoryStore& memory, rpc::CallLater call_later, SpeechQueue::Speak speak);
 
+  /// The folder below which sayToFile writes; none at first.
+  void keepFilesIn(std::filesystem::path data_dir) { data_dir_ = std::move(data_dir); }
+
   /// The service; this object must outlive it.
   rpc::Service describe();
 
@@ -27,8 +32,15 @@ class AlTextToSpeech {
   rpc::Pending<void> say(const std::string& text);
 
  private:
+  struct FileSpeech;
   rpc::Pending<void> sayIn(const std::string& text, const std::string& language);
   void stopAll() { queue_.stopAll(); }
+  rpc::Pending<void> sayToFile(const std::string& text, const std::string& file);
+  void speakOn(const std::shared_ptr<FileSpeech>& speech);
+  voice::Manner manner() const;
+  void resetSpeed() { parameters_["speed"] = 100; }
+  bool addToDictionary(const std::string& word, const std::string& pronunciation);
+  bool deleteFromDictionary(const std::string& word) { return dictionary_.erase(word) > 0; }
 
   std::string getLanguage() { return language_; }
   void setLanguage(const std::string& language);
@@ -49,10 +61,16 @@ class AlTextToSpeech {
   void setNotifications() {}
 
   void describeSpeaking(rpc::Service& service);
+  void describeFiles(rpc::Service& service);
+  void describeDictionary(rpc::Service& service);
   void describeLanguages(rpc::Service& service);
   void describeSound(rpc::Service& service);
 
+  rpc::CallLater call_later_;
+  SpeechQueue::Speak speak_;
   SpeechQueue queue_;
+  std::filesystem::path data_dir_;
+  std::map<std::string, std::string> dictionary_;  // pronunciations
   std::string language_ = "English";
   std::map<std::string, std::string> voices_;  // by language, in use
   std::map<std::string, float> parameters_;

@@ -19,6 +19,8 @@ Argument parameter() { return {"parameter", "Its name, e.g. pitchShift."}; }
 rpc::Service AlTextToSpeech::describe() {
   rpc::Service service = rpc::alModule("ALTextToSpeech", "Says texts; they are logged, not heard.");
   describeSpeaking(service);
+  describeFiles(service);
+  describeDictionary(service);
   describeLanguages(service);
   describeSound(service);
   return service;

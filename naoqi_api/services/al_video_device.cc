@@ -60,16 +60,22 @@ std::string AlVideoDevice::open(const rpc::Caller& caller, const std::string& na
   const std::string handle = freeHandle(name);
   if (!window || handle.empty()) return {};
   Window& opened = windows_[handle] = *window;
+  closed_.erase(opened.camera);  // whoever looks switches it on
   opened.session = caller.id();
   if (caller.session) watch(caller.session);
   startSubscription(opened);
   return handle;
 }
 
+std::string AlVideoDevice::handleOf(const std::string& name, std::size_t number) const {
+  if (numbers_first_) return name + "_" + std::to_string(number);
+  return number == 0 ? name : name + "_" + std::to_string(number + 1);
+}
+
 std::string AlVideoDevice::freeHandle(const std::string& name) const {
   if (windows_.size() >= kMost || name.size() > kLongestName) return {};
   for (std::size_t i = 0; i < kMostOfOneName; ++i) {
-    const std::string handle = name + "_" + std::to_string(i);
+    const std::string handle = handleOf(name, i);
     if (windows_.count(handle) == 0) return handle;
   }
   return {};
@@ -111,6 +117,9 @@ void AlVideoDevice::closeWindowsOf(std::uint64_t session) {
     if (window.session == session) left.push_back(handle);
   }
   for (const std::string& handle : left) unsubscribe(handle);
+  for (auto put = put_.begin(); put != put_.end();) {
+    put = put->second.session == session ? put_.erase(put) : std::next(put);
+  }
 }
 
 bool AlVideoDevice::unsubscribe(const std::string& handle) {
@@ -119,12 +128,13 @@ bool AlVideoDevice::unsubscribe(const std::string& handle) {
   const Window closed = std::move(found->second);
   windows_.erase(found);
   feed_->unsubscribe(closed.subscription);
+  recordings_.erase(handle);
   for (const auto& call : closed.waiting) call.resolve(rpc::Value());
   return true;
 }
 
 void AlVideoDevice::unsubscribeAllInstances(const std::string& name) {
-  for (std::size_t i = 0; i < kMostOfOneName; ++i) unsubscribe(name + "_" + std::to_string(i));
+  for (std::size_t i = 0; i < kMostOfOneName; ++i) unsubscribe(handleOf(name, i));
 }
 
 rpc::Value AlVideoDevice::getSubscribers() const { return rpc::toValue(handles()); }
@@ -140,7 +150,9 @@ rpc::Pending<rpc::Value> AlVideoDevice::getImageRemote(const std::string& handle
   Window* const window = findWindow(handle);
   if (window == nullptr) {
     reply.resolve(rpc::Value());  // what clients test for as None
-  } else if (const auto image = feed_->latest(window->subscription)) {
+  } else if (closed_.count(window->camera) > 0) {
+    reply.resolve(rpc::Value());
+  } else if (const auto image = pictureOf(*window)) {
     reply.resolve(toReply(*image));
   } else {
     auto& waiting = window->waiting;
@@ -156,13 +168,14 @@ void AlVideoDevice::deliverImages() {
   std::vector<std::pair<rpc::Pending<rpc::Value>, rpc::Value>> replies;
   for (auto& [unused, window] : windows_) {
     if (window.waiting.empty()) continue;
-    const auto image = feed_->latest(window.subscription);
+    const auto image = pictureOf(window);
     if (!image) continue;
     for (const auto& call : std::exchange(window.waiting, {})) {
       replies.emplace_back(call, toReply(*image));
     }
   }
   for (const auto& [call, reply] : replies) call.resolve(reply);
+  recordDue();
 }
 
 rpc::Value AlVideoDevice::toReply(const camera::Image& image) const {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -27,6 +29,13 @@ class AlVideoDevice {
 
   /// The service; this object must outlive it.
   rpc::Service describe();
+
+  /// What it needs for pictures that clients put and record: the simulated time, and the folder
+  /// below which files are written. Without, such pictures bear time 0 and nothing is recorded.
+  void connect(std::function<SimTime()> now, std::filesystem::path data_dir);
+
+  /// NAOqi 1.x: the first window of a name bears it as it is, the second is name_2.
+  void nameFirstWindowAsAsked() { numbers_first_ = false; }
 
   /// Ends the getImageRemote calls whose first picture has come. To be called whenever pictures
   /// may have been drawn.
@@ -82,8 +91,9 @@ class AlVideoDevice {
   int getCameraResolution(int camera) const;
   int getCameraColorSpace(int camera) const;
   int getCameraFrameRate(int camera) const;
-  bool isCameraOn(int camera) const { return isCamera(camera); }
-  bool isCameraOff(int camera) const { return !isCamera(camera); }
+  bool isCameraOn(int camera) const { return isCamera(camera) && closed_.count(camera) == 0; }
+  bool isCameraOff(int camera) const { return !isCameraOn(camera); }
+  bool turnCameraOn(int camera);
   bool turnCameraOff(int camera);
   bool hasDepthCamera() const { return false; }
   rpc::Value resolutionToSizes(int resolution) const;
@@ -114,6 +124,18 @@ class AlVideoDevice {
   rpc::Pending<rpc::Value> getImagesRemote(const std::string& name);
   const std::vector<std::string>& windowsOf(const std::string& name) const;  // @throws CallError
 
+  // Pictures that a client puts in place of the camera's, and files of pictures
+  bool putImage(const rpc::Caller& caller, int camera, int width, int height,
+                const rpc::Value& bytes);
+  bool setInputSize(int width, int height);
+  rpc::Value getExpectedImageParameters(int camera) const;
+  bool recordVideo(const std::string& handle, const std::string& path, int count, int period);
+  bool stopVideo(const std::string& handle) { return recordings_.erase(handle) > 0; }
+  void recordDue();
+  rpc::Value getParameterInfo(int camera, int parameter) const;
+
+  void describeSimulator(rpc::Service& service);
+  void describeFiles(rpc::Service& service);
   void describeMore(rpc::Service& service);
   void describeGeometry(rpc::Service& service);
   void describeSeveral(rpc::Service& service);
@@ -134,12 +156,29 @@ class AlVideoDevice {
                                    int frame_rate) const;
   std::vector<std::string> handles() const;
   std::string freeHandle(const std::string& name) const;
+  std::string handleOf(const std::string& name, std::size_t number) const;
   void watch(const std::shared_ptr<rpc::Session>& session);
   void closeWindowsOf(std::uint64_t session);
   void startSubscription(Window& window);
   bool turn(const std::string& handle, int camera);
   bool replace(const std::string& handle, const std::optional<Window>& changed);
   rpc::Value toReply(const camera::Image& image) const;
+  std::shared_ptr<const camera::Image> pictureOf(const Window& window) const;
+
+  struct PutImage {
+    camera::ImageSize size;
+    camera::Bytes rgb;
+    SimTime time{};
+    std::uint64_t session = 0;  // of the client that put it
+  };
+  struct Recording {
+    std::string path;
+    int left = 0;    // pictures still to write
+    int period = 1;  // every how many of the window's pictures
+    int seen = 0;
+    int written = 0;
+    SimTime last{};
+  };
 
   std::shared_ptr<const RobotModel> robot_;
   std::shared_ptr<camera::ImageFeed> feed_;
@@ -149,6 +188,13 @@ class AlVideoDevice {
   std::vector<CameraParameters> parameters_;                 // by camera
   std::set<std::uint64_t> watched_sessions_;
   int active_camera_ = 0;
+  bool numbers_first_ = true;
+  std::set<int> closed_;                         // cameras
+  std::map<int, PutImage> put_;                  // by camera
+  camera::ImageSize input_size_;                 // of pictures to put; none: any
+  std::map<std::string, Recording> recordings_;  // by handle
+  std::function<SimTime()> now_ = [] { return SimTime{}; };
+  std::filesystem::path data_dir_;
   std::shared_ptr<AlVideoDevice*> alive_ = std::make_shared<AlVideoDevice*>(this);
 };
 

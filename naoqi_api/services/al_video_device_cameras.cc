@@ -94,9 +94,16 @@ int AlVideoDevice::getCameraFrameRate(int camera) const {
   return fastest == 0 ? kDefaultFrameRate : fastest;
 }
 
+bool AlVideoDevice::turnCameraOn(int camera) {
+  if (!isCamera(camera)) return false;
+  closed_.erase(camera);
+  return true;
+}
+
 bool AlVideoDevice::turnCameraOff(int camera) {
   cameraOf(camera);
-  return false;  // simulated cameras stay on: without windows they cost nothing
+  closed_.insert(camera);
+  return true;
 }
 
 rpc::Value AlVideoDevice::resolutionToSizes(int resolution) const {

@@ -102,15 +102,16 @@ void AlVideoDevice::describeCameras(rpc::Service& service) {
               "The colour space a camera delivers by itself.", camera())
       .method("getFrameRate", this, &Self::getCameraFrameRate,
               "The highest frame rate asked of a camera [1/s].", camera())
-      .method("isCameraOpen", this, &Self::isCameraOn, "Whether there is such a camera.", camera())
-      .method("isCameraStarted", this, &Self::isCameraOn, "Whether there is such a camera.",
+      .method("isCameraOpen", this, &Self::isCameraOn, "Whether a camera is on.", camera())
+      .method("isCameraStarted", this, &Self::isCameraOn, "Whether a camera is on.", camera())
+      .method("openCamera", this, &Self::turnCameraOn, "Switches a camera on.", camera())
+      .method("startCamera", this, &Self::turnCameraOn, "Switches a camera on.", camera())
+      .method("startFrameGrabber", this, &Self::turnCameraOn, "Switches a camera on.", camera())
+      .method("isFrameGrabberOff", this, &Self::isCameraOff, "Whether a camera is off.", camera())
+      .method("closeCamera", this, &Self::turnCameraOff, "Switches a camera off: no pictures.",
               camera())
-      .method("openCamera", this, &Self::isCameraOn, "Cameras are always open.", camera())
-      .method("startCamera", this, &Self::isCameraOn, "Cameras always run.", camera())
-      .method("startFrameGrabber", this, &Self::isCameraOn, "Cameras always run.", camera())
-      .method("isFrameGrabberOff", this, &Self::isCameraOff, "Cameras always run.", camera())
-      .method("closeCamera", this, &Self::turnCameraOff, "Not simulated: false.", camera())
-      .method("stopCamera", this, &Self::turnCameraOff, "Not simulated: false.", camera())
+      .method("stopCamera", this, &Self::turnCameraOff, "Switches a camera off: no pictures.",
+              camera())
       .method("hasDepthCamera", this, &Self::hasDepthCamera, "False.")
       .method("resolutionToSizes", this, &Self::resolutionToSizes,
               "Width and height of a resolution [px].", resolution())

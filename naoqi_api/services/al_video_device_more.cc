@@ -83,6 +83,8 @@ void AlVideoDevice::describeMore(rpc::Service& service) {
   describeSeveral(service);
   describeSeveralSettings(service);
   describeOldNames(service);
+  describeSimulator(service);
+  describeFiles(service);
 }
 
 void AlVideoDevice::describeGeometry(rpc::Service& service) {
@@ -299,14 +301,17 @@ void AlVideoDevice::describeOldNames(rpc::Service& service) {
       service, "getVIMFrameRate", [this] { return getCameraFrameRate(active_camera_); },
       "The active camera's frame rate [1/s].");
   addFunction(
-      service, "isFrameGrabberOff", [] { return 0; }, "0: cameras stay on.");
+      service, "isFrameGrabberOff", [this] { return isCameraOff(active_camera_) ? 1 : 0; },
+      "1 if the active camera is off.");
   addFunction(
-      service, "startFrameGrabber", [] { return true; }, "True: cameras stay on.");
+      service, "startFrameGrabber", [this] { return turnCameraOn(active_camera_); },
+      "Switches the active camera on.");
   addFunction(
-      service, "stopFrameGrabber", [] { return false; }, "False: cameras stay on.");
+      service, "stopFrameGrabber", [this] { return turnCameraOff(active_camera_); },
+      "Switches the active camera off: no pictures.");
   addFunction(
-      service, "stopFrameGrabber", [](int) { return false; }, "False: cameras stay on.",
-      Argument{"camera", "0: top, 1: bottom."});
+      service, "stopFrameGrabber", [this](int camera) { return turnCameraOff(camera); },
+      "Switches a camera off: no pictures.", Argument{"camera", "0: top, 1: bottom."});
   addFunction(
       service, "resetCamera", [this](int camera) { return setAllParametersToDefault(camera); },
       "Sets a camera's parameters to their defaults.", Argument{"camera", "0: top, 1: bottom."});

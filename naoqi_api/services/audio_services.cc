@@ -5,9 +5,10 @@
 #include <set>
 #include <utility>
 
-#include "naoqi_api/al_module.h"
 #include "naoqi_api/services/al_audio_player.h"
 #include "naoqi_api/services/extractor.h"
+#include "naoqi_api/services/make_module.h"
+#include "naoqi_api/services/microphones.h"
 #include "naoqi_api/services/naoqi_method.h"
 #include "naoqi_api/services/settings.h"
 
@@ -17,18 +18,12 @@ namespace {
 using rpc::Argument;
 using rpc::CallError;
 using rpc::Value;
-using ServicePointer = std::shared_ptr<rpc::Service>;
-
-ServicePointer makeModule(const std::string& name, const std::string& meaning) {
-  return std::make_shared<rpc::Service>(rpc::alModule(name, meaning));
-}
 
 struct Device {
   std::int32_t volume = 100;  // 0 to 100
   bool muted = false;
   bool input_open = true;
   bool output_open = true;
-  std::string recording;  // the file; empty: none
 };
 
 void declareVolume(rpc::Service& service, const std::shared_ptr<Device>& device) {
@@ -57,17 +52,8 @@ void declareVolume(rpc::Service& service, const std::shared_ptr<Device>& device)
       service, "isOutputClosed", [device] { return !device->output_open; }, "What was kept.");
 }
 
-void declareMicrophones(rpc::Service& service, const ServiceContext& context,
-                        const std::shared_ptr<Device>& device) {
-  addFunction(
-      service, "startMicrophonesRecording",
-      [device, log = context.log](const std::string& file) {
-        device->recording = file;
-        log("records: " + file);
-      },
-      "Is logged; no file is written.", Argument{"fileName", "Its path."});
-  addFunction(
-      service, "stopMicrophonesRecording", [device] { device->recording.clear(); }, "Is kept.");
+void declareMicrophones(rpc::Service& service, const ServiceContext& context) {
+  declareRecording(service, context);
   for (const char* name :
        {"enableEnergyComputation", "disableEnergyComputation", "flushAudioOutputs"}) {
     addFunction(
@@ -126,7 +112,7 @@ ServicePointer makeAudioDevice(const ServiceContext& context) {
   auto service = makeModule("ALAudioDevice", "Loudspeakers and microphones; all is silent.");
   const auto device = std::make_shared<Device>();
   declareVolume(*service, device);
-  declareMicrophones(*service, context, device);
+  declareMicrophones(*service, context);
   declareListeners(*service);
   const auto parameters = std::make_shared<std::map<std::string, std::int32_t>>(
       std::map<std::string, std::int32_t>{{"outputSampleRate", 16000}});
@@ -153,22 +139,6 @@ ServicePointer makeAudioDevice(const ServiceContext& context) {
       },
       "Is logged.", Argument{"frequence", "[Hz]"}, Argument{"gain", "0 to 100."},
       Argument{"pan", "-1, 0 or 1."}, Argument{"duration", "[s]"});
-  service->allAnswering(rpc::Answer::Simplified);
-  return service;
-}
-
-ServicePointer makeAudioRecorder(const ServiceContext& context) {
-  auto service = makeModule("ALAudioRecorder", "Records microphones that hear nothing.");
-  addFunction(
-      *service, "startMicrophonesRecording",
-      [log = context.log](const std::string& file, const std::string&, std::int32_t, const Value&) {
-        log("records: " + file);
-      },
-      "Is logged; no file is written.", Argument{"fileName", "Its path."},
-      Argument{"type", "wav or ogg."}, Argument{"sampleRate", "[Hz]"},
-      Argument{"channels", "[left, right, front, rear]"});
-  addFunction(
-      *service, "stopMicrophonesRecording", [] {}, "Ends a recording.");
   service->allAnswering(rpc::Answer::Simplified);
   return service;
 }

@@ -9,8 +9,7 @@ namespace {
 
 using rpc::Value;
 
-constexpr int kCamera = 0;  // the one in the forehead
-constexpr int kRate = 10;   // [1/s] pictures; free
+constexpr int kRate = 10;  // [1/s] pictures; free
 constexpr std::chrono::milliseconds kPeriod{50};
 constexpr std::chrono::milliseconds kForget{500};  // free
 constexpr double kGain = 0.6;                      // of the way to the ball, each picture; free
@@ -41,12 +40,25 @@ void BallWatch::want(const std::string& who, bool wanted) {
   }
   const bool on = !wanting_.empty();
   if (on && subscription_ == 0 && !context_.link.model().cameras.empty()) {
-    subscription_ = images_->subscribe({kCamera, {320, 240}, camera::ColorSpace::kRGB, kRate});
+    use(0);
   } else if (!on && subscription_ != 0) {
     images_->unsubscribe(std::exchange(subscription_, 0));
     seen_ = false;
   }
   if (on && !looking_) look();
+}
+
+void BallWatch::use(int camera) {
+  if (subscription_ != 0) images_->unsubscribe(subscription_);
+  camera_ = camera;
+  used_since_ = context_.link.now();
+  subscription_ = images_->subscribe({camera, {320, 240}, camera::ColorSpace::kRGB, kRate});
+}
+
+// The other camera, of two, when this one has shown nothing for a while.
+void BallWatch::changeCamera() {
+  const bool is_fresh = context_.link.now() - used_since_ < kForget;
+  if (context_.link.model().cameras.size() == 2 && !is_fresh && isOld()) use(1 - camera_);
 }
 
 bool BallWatch::isOld() const { return context_.link.now() - last_seen_ > kForget; }
@@ -59,20 +71,19 @@ void BallWatch::look() {
   context_.later(kPeriod, [weak = weak_from_this()] {
     if (const auto self = weak.lock()) self->look();
   });
+  changeCamera();
   const auto image = images_->latest(subscription_);
   if (!image || image->time == last_image_) return;
   last_image_ = image->time;
   const auto ball = findRedBall(*image);
   if (!ball) return;
-  const auto place = motion::findEffector(context_.link.model(), "CameraTop");
-  if (!place) return;
-  const CameraModel& camera = context_.link.model().cameras[kCamera];
+  const CameraModel& camera = context_.link.model().cameras[static_cast<std::size_t>(camera_)];
   const double yaw = std::atan(2 * (0.5 - ball->x) * std::tan(camera.hfov / 2));
   const double pitch = std::atan(2 * (ball->y - 0.5) * std::tan(camera.vfov / 2));
   const double size = 2 * ball->diameter * std::tan(camera.hfov / 2);  // at a distance of 1
   const double ahead = diameter_ / size;
   kinematics_.update(context_.link.sensors()->angle);
-  const Pose X_TC = kinematics_.calcPose(*place);  // x ahead, y left, z up
+  const Pose X_TC = kinematics_.calcPose({camera.body, camera.X_BC});  // x ahead, y left, z up
   p_TB_T_ = X_TC * Vec3(ahead, ahead * std::tan(yaw), -ahead * std::tan(pitch));
   seen_ = news_ = true;
   last_seen_ = image->time;
@@ -82,7 +93,7 @@ void BallWatch::look() {
 
 // [[seconds, microseconds], [yaw, pitch, width, height], camera in torso, camera in robot, camera]
 void BallWatch::tell(const SeenBall& ball, const Pose& X_TC, SimTime /*time*/) const {
-  const CameraModel& camera = context_.link.model().cameras[kCamera];
+  const CameraModel& camera = context_.link.model().cameras[static_cast<std::size_t>(camera_)];
   const auto now = context_.store().now();
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(now);
   const auto rest = std::chrono::duration_cast<std::chrono::microseconds>(now - seconds);
@@ -93,7 +104,7 @@ void BallWatch::tell(const SeenBall& ball, const Pose& X_TC, SimTime /*time*/) c
       Value::list({Value::list({static_cast<int>(seconds.count()), static_cast<int>(rest.count())}),
                    Value::list({static_cast<float>((0.5 - ball.x) * camera.hfov),
                                 static_cast<float>((ball.y - 0.5) * camera.vfov), size, size}),
-                   asList(X_TC), asList(X_RT * X_TC), kCamera}));
+                   asList(X_TC), asList(X_RT * X_TC), camera_}));
 }
 
 void BallWatch::turnHead(double yaw, double pitch) const {

@@ -13,8 +13,9 @@
 
 namespace nao::services {
 
-/// Looks for a red ball in the robot's pictures while somebody wants it, raises redBallDetected and
-/// turns the head if told to. Lives in a shared_ptr. I/O thread.
+/// Looks for a red ball in the pictures of one of the robot's cameras while somebody wants it, in
+/// those of the other when it finds none; raises redBallDetected and turns the head if told to.
+/// Lives in a shared_ptr. I/O thread.
 class BallWatch : public std::enable_shared_from_this<BallWatch> {
  public:
   BallWatch(const ServiceContext& context, std::shared_ptr<camera::ImageFeed> images);
@@ -39,6 +40,8 @@ class BallWatch : public std::enable_shared_from_this<BallWatch> {
 
  private:
   void look();
+  void use(int camera);
+  void changeCamera();
   void turnHead(double yaw, double pitch) const;
   void tell(const SeenBall& ball, const Pose& X_TC, SimTime time) const;
   bool isOld() const;
@@ -48,6 +51,8 @@ class BallWatch : public std::enable_shared_from_this<BallWatch> {
   motion::Kinematics kinematics_;
   std::set<std::string> wanting_;
   std::uint64_t subscription_ = 0;
+  int camera_ = 0;        // the one in the forehead, or the one below
+  SimTime used_since_{};  // the camera
   bool looking_ = false;
   bool following_ = false;
   bool seen_ = false;

@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "naoqi_api/al_module.h"
 #include "naoqi_api/services/extractor.h"
+#include "naoqi_api/services/make_module.h"
 #include "naoqi_api/services/naoqi_method.h"
 #include "naoqi_api/services/repeat.h"
 
@@ -18,13 +18,8 @@ namespace {
 using rpc::Answer;
 using rpc::Argument;
 using rpc::Value;
-using ServicePointer = std::shared_ptr<rpc::Service>;
 
 constexpr std::chrono::milliseconds kPeriod{100};  // free: how often a person would look
-
-ServicePointer makeModule(const std::string& name, const std::string& meaning) {
-  return std::make_shared<rpc::Service>(rpc::alModule(name, meaning));
-}
 
 void addExtractor(rpc::Service& service, const ServiceContext& context,
                   const Extractor::Outputs& outputs) {

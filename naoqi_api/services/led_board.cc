@@ -134,7 +134,9 @@ void LedBoard::tick() {
       if (const auto self = weak.lock()) self->tick();
     });
   }
-  for (const auto& done : ended) done.resolve();
+  for (const auto& done : ended) {
+    later_(kTick, [done] { done.resolve(); });  // when its last colour is seen
+  }
 }
 
 rpc::Pending<void> LedBoard::pass(double seconds) {

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "naoqi_api/al_module.h"
 #include "naoqi_api/services/al_autonomous_life.h"
+#include "naoqi_api/services/make_module.h"
 #include "naoqi_api/services/naoqi_method.h"
 #include "naoqi_api/services/settings.h"
 
@@ -14,11 +14,6 @@ namespace nao::services {
 namespace {
 
 using rpc::Argument;
-using ServicePointer = std::shared_ptr<rpc::Service>;
-
-ServicePointer makeModule(const std::string& name, const std::string& meaning) {
-  return std::make_shared<rpc::Service>(rpc::alModule(name, meaning));
-}
 
 // A state that one method starts, another stops and a third tells.
 struct OnOff {

@@ -92,9 +92,17 @@ void MotionEvents::raiseMoveFailed(const motion::MotionState& state) {
   moves_failed_ = state.moves_failed;
   const int status = state.failed_under_way ? 1 : 0;
   if (!is_news) return;
-  for (const char* event : {kMoveFailed, kSafetyMoveFailed}) {
-    raise(event, Value::list({"Internal stop", status, Value()}));
-  }
+  tellMoveFailed(Value::list({"Internal stop", status, Value()}));
+}
+
+void MotionEvents::tellMoveFailed(const Value& what) {
+  for (const char* event : {kMoveFailed, kSafetyMoveFailed}) raise(event, what);
+}
+
+void MotionEvents::tellObstacle(const Vec3& place) {
+  const auto coordinate = [&](int axis) { return Value(static_cast<float>(place[axis])); };
+  tellMoveFailed(Value::list(
+      {"Obstacle detected", 1, Value::list({coordinate(0), coordinate(1), coordinate(2)})}));
 }
 
 void MotionEvents::raisePosture(const SensorFrame& sensors) {

@@ -24,12 +24,16 @@ class MotionEvents {
   /// After the link's own delivery. Nothing happens before the robot's first cycle.
   void deliver();
 
+  /// A walk is stopped because of an obstacle, at `place` in the robot's frame.
+  void tellObstacle(const Vec3& place);
+
  private:
   void raise(const std::string& key, const rpc::Value& value);
   void raiseChanged(const std::string& key, const rpc::Value& value);
   void raiseDevices(const memory::DeviceKeys::Frames& frames);
   void raiseTasks(const motion::MotionState& state);
   void raiseMoveFailed(const motion::MotionState& state);
+  void tellMoveFailed(const rpc::Value& what);
   void raisePosture(const SensorFrame& sensors);
 
   RobotLink& link_;

@@ -20,6 +20,7 @@ namespace detail {
 /// `result` with its error text, should it end with one, in NaoQi's shape.
 template <class T>
 rpc::Pending<T> withNaoqiError(const rpc::Pending<T>& result, const std::string& where) {
+  if (result.isDone() && !result.outcome()->error) return result;
   rpc::Pending<T> told;
   result.whenDone([told, where](const auto& outcome) {
     if (outcome.isCanceled()) return told.cancelNow();

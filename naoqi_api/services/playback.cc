@@ -47,8 +47,11 @@ rpc::Pending<void> Playback::untilEnd() {
   return done;
 }
 
-void Playback::stop() {
+rpc::Pending<void> Playback::stop() {
+  rpc::Pending<void> stopped;
+  untilEnd().whenDone([stopped](const auto& /*outcome*/) { stopped.resolve(); });
   if (isRunning()) link_.post(motion::Kill{request_});
+  return stopped;
 }
 
 void Playback::drop() {

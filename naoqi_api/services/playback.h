@@ -23,8 +23,9 @@ class Performance {
   /// Ends with it, at once if it does not run; a failure becomes an error. Canceling it ends it.
   virtual rpc::Pending<void> untilEnd() = 0;
 
-  /// Asks it to end; it counts as running until it has.
-  virtual void stop() = 0;
+  /// Asks it to end; it counts as running until it has. Ends when a motion has ended, however; of
+  /// code, which may take its time, at once.
+  virtual rpc::Pending<void> stop() = 0;
 
   /// Ends it for those who wait, at once.
   virtual void drop() = 0;
@@ -45,7 +46,7 @@ class Playback final : public Performance, public std::enable_shared_from_this<P
   /// @throws CallError when the robot has too many requests.
   void start() override;
   rpc::Pending<void> untilEnd() override;
-  void stop() override;
+  rpc::Pending<void> stop() override;
   void drop() override;
 
  private:

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "naoqi_api/al_module.h"
 #include "naoqi_api/documented/documented_services.h"
 #include "naoqi_api/services/al_animation_player.h"
 #include "naoqi_api/services/al_behavior_manager.h"
@@ -33,14 +34,30 @@ RobotServices::RobotServices(RobotLink& link, const RobotServicesSetup& setup)
                    return hub_ ? hub_->findRemote(name) : std::shared_ptr<rpc::RemoteObject>();
                  }),
       motion_events_(link, memory_),
+      reflex_(std::make_shared<ObstacleReflex>(link)),
       speech_(memory_.store(), later(),
               [log = setup.log](const std::string& text) { log("says: " + text); }),
       system_(memory_.store(), setup.robot_name),
-      behaviors_(std::make_shared<BehaviorRunner>(link, installed(setup), behaviorHooks(setup))) {}
+      behaviors_(std::make_shared<BehaviorRunner>(link, installed(setup), behaviorHooks(setup))) {
+  video_.connect([this] { return link_.now(); }, setup.data_dir);
+  if (!personality_.numbers_first_window) video_.nameFirstWindowAsAsked();
+  speech_.keepFilesIn(setup.data_dir);
+  memory_.store().insert("RobotConfig/Body/SoftwareRequirement", personality_.version);
+  if (personality_.has_obstacle_reflex) {
+    reflex_->enable([this](const Vec3& place) { motion_events_.tellObstacle(place); });
+  }
+}
 
 rpc::CallLater RobotServices::later() {
   return
       [this](Duration delay, std::function<void()> then) { link_.after(delay, std::move(then)); };
+}
+
+rpc::Alarm RobotServices::alarm() {
+  return [this](Duration delay, std::function<void()> then) -> std::function<void()> {
+    const std::uint64_t timer = link_.after(delay, std::move(then));
+    return [this, timer] { link_.cancelTimer(timer); };
+  };
 }
 
 std::shared_ptr<BehaviorLibrary> RobotServices::installed(const RobotServicesSetup& setup) {
@@ -63,7 +80,7 @@ void RobotServices::addTo(rpc::ServiceHub& hub) {
   hub.add(al_memory_.describe());
   hub.add(system_.describe());
   hub.add(speech_.describe());
-  hub.add(makeAlMotion(link_));
+  hub.add(makeAlMotion(link_, reflex_));
   hub.add(makeAlRobotPosture(link_));
   hub.add(makeAlFrameManager(link_, context_.warn,
                              std::make_shared<BehaviorLibrary>(behaviors_->library())));
@@ -81,11 +98,15 @@ void RobotServices::addTo(rpc::ServiceHub& hub) {
   for (const auto& service : makeIdleExtractors(context_)) hub.add(service);
   for (const auto& service : makeSystemServices(context_, behaviors_, hub)) hub.add(service);
   addDocumented(hub);
+  for (const auto& [id, entry] : hub.entries()) {
+    if (entry.service) rpc::addShortWait(*entry.service);
+  }
   applyVersion(hub, personality_);
 }
 
 void RobotServices::deliver() {
   motion_events_.deliver();
+  reflex_->deliver();
   al_memory_.deliver();
   video_.deliverImages();
 }

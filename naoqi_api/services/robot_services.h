@@ -15,6 +15,7 @@
 #include "naoqi_api/services/al_video_device.h"
 #include "naoqi_api/services/behavior_runner.h"
 #include "naoqi_api/services/motion_events.h"
+#include "naoqi_api/services/obstacle_reflex.h"
 #include "naoqi_api/services/service_context.h"
 
 namespace nao::services {
@@ -45,9 +46,12 @@ class RobotServices {
   /// After the link's own delivery.
   void deliver();
 
+  memory::RobotMemory& memory() { return memory_; }
+
   /// NaoQi's clock.
   Duration now() const { return epoch_ + link_.now().time_since_epoch(); }
   rpc::CallLater later();
+  rpc::Alarm alarm();
 
  private:
   static std::shared_ptr<BehaviorLibrary> installed(const RobotServicesSetup& setup);
@@ -63,6 +67,7 @@ class RobotServices {
   rpc::ServiceHub* hub_ = nullptr;
   AlMemory al_memory_;
   MotionEvents motion_events_;
+  std::shared_ptr<ObstacleReflex> reflex_;
   AlTextToSpeech speech_;
   AlSystem system_;
   std::shared_ptr<BehaviorRunner> behaviors_;

@@ -39,8 +39,9 @@ rpc::Pending<void> ScriptPerformance::untilEnd() {
   return done;
 }
 
-void ScriptPerformance::stop() {
+rpc::Pending<void> ScriptPerformance::stop() {
   if (isRunning()) end_();
+  return rpc::Pending<void>::done();
 }
 
 void ScriptPerformance::drop() {

@@ -26,7 +26,7 @@ class ScriptPerformance final : public Performance,
   bool isRunning() const override { return end_ != nullptr; }
   void start() override;
   rpc::Pending<void> untilEnd() override;
-  void stop() override;
+  rpc::Pending<void> stop() override;
   void drop() override;
 
  private:

@@ -6,10 +6,11 @@
 #include <utility>
 
 #include "motion/postures.h"
-#include "naoqi_api/al_module.h"
 #include "naoqi_api/services/al_preferences.h"
 #include "naoqi_api/services/log_services.h"
+#include "naoqi_api/services/make_module.h"
 #include "naoqi_api/services/naoqi_method.h"
+#include "naoqi_api/services/package_manager.h"
 
 namespace nao::services {
 namespace {
@@ -17,11 +18,6 @@ namespace {
 using rpc::Argument;
 using rpc::CallError;
 using rpc::Value;
-using ServicePointer = std::shared_ptr<rpc::Service>;
-
-ServicePointer makeModule(const std::string& name, const std::string& meaning) {
-  return std::make_shared<rpc::Service>(rpc::alModule(name, meaning));
-}
 
 // What ALMemory's RobotConfig keys say, by key.
 std::map<std::string, std::string> robotConfig(const ServiceContext& context) {
@@ -152,49 +148,6 @@ ServicePointer makeServiceManager(const rpc::ServiceHub& hub) {
       *service, "stopService", [](const std::string&) { return false; },
       "False: services of the robot do not stop.", name)
       .answering(rpc::Answer::Simplified);
-  return service;
-}
-
-// A package is the folder of its behaviors: what stands before the first / of their names.
-std::string packageOf(const std::string& behavior) {
-  return behavior.substr(0, behavior.find('/'));
-}
-
-ServicePointer makePackageManager(const std::shared_ptr<BehaviorRunner>& behaviors) {
-  auto service = makeModule("PackageManager", "Packages are folders of behaviors.");
-  const auto packages = [behaviors] {
-    std::map<std::string, std::vector<std::string>> found;
-    for (const std::string& name : behaviors->library().names()) {
-      found[packageOf(name)].push_back(name);
-    }
-    return found;
-  };
-  const auto tell = [](const std::string& name, const std::vector<std::string>& contents) {
-    return std::map<std::string, Value>{
-        {"uuid", name}, {"path", name}, {"behaviors", rpc::toValue(contents)}};
-  };
-  addFunction(
-      *service, "getPackages",
-      [packages, tell] {
-        std::vector<std::map<std::string, Value>> list;
-        for (const auto& [name, contents] : packages()) list.push_back(tell(name, contents));
-        return list;
-      },
-      "{uuid, path, behaviors} of every package.");
-  const Argument uuid{"package", "Its name."};
-  addFunction(
-      *service, "getPackage",
-      [packages, tell](const std::string& name) {
-        const auto all = packages();
-        const auto found = all.find(name);
-        if (found == all.end()) throw CallError("there is no package " + name);
-        return tell(name, found->second);
-      },
-      "{uuid, path, behaviors} of a package.", uuid);
-  addFunction(
-      *service, "hasPackage",
-      [packages](const std::string& name) { return packages().count(name) > 0; },
-      "Whether there is a package of this name.", uuid);
   return service;
 }
 

@@ -22,6 +22,11 @@ std::uint32_t Channel::sendNew(Message message) {
   return message.id;
 }
 
+void Channel::sendNew(Message header, const Bytes& payload) {
+  header.id = next_id_++;
+  if (send_) send_(encodeFrame(header, payload));
+}
+
 void Channel::reply(const Message& call, Bytes payload, std::uint8_t flags) {
   answer(call, MessageType::Reply, std::move(payload), flags);
 }

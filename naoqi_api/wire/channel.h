@@ -30,6 +30,9 @@ class Channel {
   /// Sends with a number of our own, which it returns: Event, Capability, Call, Post.
   std::uint32_t sendNew(Message message);
 
+  /// The same with a payload that others send, too.
+  void sendNew(Message header, const Bytes& payload);
+
   /// Answers: same number and address as `call`.
   void reply(const Message& call, Bytes payload, std::uint8_t flags = 0);
   void error(const Message& call, const std::string& text);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 
@@ -34,9 +35,9 @@ class Connection {
   /// `broken` is told when an event can not be sent, outside of any receive(): close then.
   virtual void onBroken(std::function<void()> broken) = 0;
 
-  /// True while a message has begun and not ended: close when that lasts and no other message is
-  /// taken meanwhile.
-  virtual bool holdsHalf() const = 0;
+  /// Bytes that wait here; more than 0 while a message has begun and not ended: close when that
+  /// lasts and no other message is taken meanwhile.
+  virtual std::size_t bytesHeld() const = 0;
   virtual std::uint64_t messagesTaken() const = 0;
 
   /// Whether the opening is over: the client has said who it is, or did what needs no such word.

@@ -116,10 +116,11 @@ void Dispatcher::callLater(const Message& message) {
 Dispatcher::Request Dispatcher::readRequest(const Message& message, const Signature& parameters) {
   Decoder decoder(message.payload, &objects_);
   const bool dynamic = (message.flags & kFlagDynamic) != 0;
-  const Value arguments = dynamic ? decoder.read("m") : decoder.read(parameters);
-  const auto* items = arguments.findItems();
-  if (!items) throw CallError("The arguments of a call are a tuple, not " + arguments.signature());
-  Request request{*items, {}};
+  Value arguments = dynamic ? decoder.read("m") : decoder.read(parameters);
+  if (!arguments.isList()) {
+    throw CallError("The arguments of a call are a tuple, not " + arguments.signature());
+  }
+  Request request{*std::move(arguments).takeItems(), {}};
   if ((message.flags & kFlagReturnType) != 0) request.wished = decoder.text();
   if (request.wished.size() > kMaxWished) throw CallError("the return signature is too long");
   return request;
@@ -240,6 +241,8 @@ void Dispatcher::answer(const Call& call, const Value& result) {
       }
     }
     const Signature& returns = *call.returns;
+    constexpr std::size_t kMostAnswers = 256;  // [bytes] are no longer
+    payload.reserve(kMostAnswers);
     if (rpc::fits(result, returns)) {
       encode(payload, result, returns, &objects_);
       return channel_->reply(call.header, std::move(payload));

@@ -21,19 +21,19 @@ Message readHeader(const std::uint8_t* header) {
 
 }  // namespace
 
-Bytes encodeFrame(const Message& message) {
+Bytes encodeFrame(const Message& message, const Bytes& payload) {
   Bytes frame;
-  frame.reserve(kHeaderSize + message.payload.size());
+  frame.reserve(kHeaderSize + payload.size());
   appendNumber(frame, kMagic);
   appendNumber(frame, message.id);
-  appendNumber(frame, static_cast<std::uint32_t>(message.payload.size()));
+  appendNumber(frame, static_cast<std::uint32_t>(payload.size()));
   appendNumber(frame, message.version);
   appendNumber(frame, static_cast<std::uint8_t>(message.type));
   appendNumber(frame, message.flags);
   appendNumber(frame, message.address.service);
   appendNumber(frame, message.address.object);
   appendNumber(frame, message.address.action);
-  frame.insert(frame.end(), message.payload.begin(), message.payload.end());
+  frame.insert(frame.end(), payload.begin(), payload.end());
   return frame;
 }
 

@@ -52,7 +52,9 @@ struct Message {
   Bytes payload;
 };
 
-Bytes encodeFrame(const Message& message);
+/// The payload may be another than the message's own.
+Bytes encodeFrame(const Message& message, const Bytes& payload);
+inline Bytes encodeFrame(const Message& message) { return encodeFrame(message, message.payload); }
 
 /// Cuts a stream of bytes into messages. Half a message in, nothing out.
 class FrameReader {
@@ -68,8 +70,8 @@ class FrameReader {
   /// True if what came is no qi stream (wrong magic) or a message is larger than allowed.
   bool isBroken() const { return broken_; }
 
-  /// True while the beginning of a message waits for its rest.
-  bool holdsHalf() const { return buffer_.size() > start_; }
+  /// What waits for its rest, or to be cut.
+  std::size_t bytesHeld() const { return buffer_.size() - start_; }
 
  private:
   bool startsWell();

@@ -151,8 +151,8 @@ std::optional<Value> MsgpackReader::next() {
 
 bool MsgpackReader::isBroken() const { return impl_->broken; }
 
-bool MsgpackReader::holdsHalf() const {
-  return !impl_->broken && (impl_->nonparsed_size() > 0 || impl_->builder().isWithin());
+std::size_t MsgpackReader::bytesHeld() const {
+  return impl_->nonparsed_size() + impl_->builder().valueCount() * sizeof(Value);
 }
 
 }  // namespace nao::wire

@@ -39,8 +39,8 @@ class MsgpackReader {
   /// True once something came that is no MessagePack, too large or nested too deep.
   bool isBroken() const;
 
-  /// True while the beginning of a value waits for its rest.
-  bool holdsHalf() const;
+  /// What the beginning of a value that waits for its rest takes here.
+  std::size_t bytesHeld() const;
 
  private:
   class Impl;

@@ -37,7 +37,7 @@ class MsgpackConnection : public Connection {
   bool isHeld() const override { return held_; }
   bool wantsClose() const override { return wants_close_; }
   void onBroken(std::function<void()> broken) override { broken_ = std::move(broken); }
-  bool holdsHalf() const override { return reader_.holdsHalf(); }
+  std::size_t bytesHeld() const override { return reader_.bytesHeld(); }
   std::uint64_t messagesTaken() const override { return messages_taken_; }
   bool isOpen() const override { return is_open_; }
 

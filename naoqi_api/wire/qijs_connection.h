@@ -26,7 +26,7 @@ namespace nao::wire {
 /// One page of the qi.js wire, without its WebSocket: texts in, texts out. I/O thread.
 class QijsConnection {
  public:
-  static constexpr std::size_t kMaxText = 16U << 20U;  // letters of one message
+  static constexpr std::size_t kMaxText = 1U << 20U;  // letters of one message
 
   using Send = std::function<void(std::string text)>;
 

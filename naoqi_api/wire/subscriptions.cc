@@ -1,5 +1,7 @@
 #include "naoqi_api/wire/subscriptions.h"
 
+#include <optional>
+
 #include "core/check.h"
 #include "naoqi_api/call_error.h"
 #include "naoqi_api/fits.h"
@@ -19,8 +21,9 @@ std::uint64_t Subscriptions::add(const Address& signal, std::uint64_t link,
   const auto added = all_.emplace(number, Subscription{signal, link, emitter, 0, std::move(wished),
                                                        Signature::of(emitter.signature())})
                          .first;
-  added->second.emitter_link = emitter.connect(
-      [this, number](const std::vector<Value>& arguments) { send(number, arguments); });
+  const Subscription* known = &added->second;
+  added->second.emitter_link =
+      emitter.connect([this, known](const rpc::Emission& emission) { send(*known, emission); });
   return number;
 }
 
@@ -55,15 +58,14 @@ void Subscriptions::clear() {
   while (!all_.empty()) drop(all_.begin());
 }
 
-void Subscriptions::send(std::uint64_t number, const std::vector<Value>& arguments) {
-  const auto found = all_.find(number);
-  if (found == all_.end()) return;
+void Subscriptions::send(const Subscription& known, const rpc::Emission& emission) {
   Message event;
   event.type = MessageType::Event;
-  event.address = found->second.signal;
+  event.address = known.signal;
+  if (sendShared(event, known, emission)) return;
   objects_.setGiver(event.address.service);
   try {
-    write(event, found->second, arguments);
+    write(event, known, emission.arguments());
   } catch (const CodecError&) {
     return channel_->fail();  // events are never dropped silently
   }
@@ -71,6 +73,16 @@ void Subscriptions::send(std::uint64_t number, const std::vector<Value>& argumen
 }
 
 namespace {
+
+/// Objects differ from connection to connection.
+class NoObjects : public ObjectCodec {
+ public:
+  void encode(Bytes& /*out*/, const ObjectRef& /*object*/) override { fail(); }
+  ObjectRef decode(Decoder& /*decoder*/) override { fail(); }
+
+ private:
+  [[noreturn]] static void fail() { throw CodecError("an object is not the same for all"); }
+};
 
 bool allFit(const std::vector<Value>& arguments, const std::vector<Signature>& types) {
   if (arguments.size() != types.size()) return false;
@@ -81,6 +93,34 @@ bool allFit(const std::vector<Value>& arguments, const std::vector<Signature>& t
 }
 
 }  // namespace
+
+namespace {
+
+std::optional<Bytes> encodeForAll(const std::vector<Value>& arguments, const Signature& declared) {
+  const auto& types = declared.children();
+  if (!allFit(arguments, types)) return std::nullopt;
+  NoObjects objects;
+  Bytes bytes;
+  try {
+    for (std::size_t i = 0; i < types.size(); ++i) encode(bytes, arguments[i], types[i], &objects);
+  } catch (const CodecError&) {
+    return std::nullopt;
+  }
+  return bytes;
+}
+
+}  // namespace
+
+// False if this client's event is not as everybody's.
+bool Subscriptions::sendShared(const Message& event, const Subscription& known,
+                               const rpc::Emission& emission) {
+  if (!known.wished.empty()) return false;
+  const Bytes* bytes = emission.encoded(known.emitter.signature(), [&] {
+    return encodeForAll(emission.arguments(), known.declared);
+  });
+  if (bytes) channel_->sendNew(event, *bytes);
+  return bytes != nullptr;
+}
 
 void Subscriptions::write(Message& event, const Subscription& known,
                           const std::vector<Value>& arguments) {

@@ -47,8 +47,9 @@ class Subscriptions {
   };
   using All = std::map<std::uint64_t, Subscription>;
 
-  void send(std::uint64_t number, const std::vector<Value>& arguments);
+  void send(const Subscription& known, const rpc::Emission& emission);
   void write(Message& event, const Subscription& known, const std::vector<Value>& arguments);
+  bool sendShared(const Message& event, const Subscription& known, const rpc::Emission& emission);
   All::iterator drop(All::iterator subscription);
 
   std::shared_ptr<Channel> channel_;

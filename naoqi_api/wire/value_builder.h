@@ -63,7 +63,8 @@ class ValueBuilder {
     return false;
   }
   bool hasFailed() const { return failed_; }
-  bool isWithin() const { return !open_.empty(); }
+  /// Of the value that is being built, and what it is a part of.
+  std::size_t valueCount() const { return values_ + open_.size(); }
   bool isWhole() const { return is_whole_ && !failed_; }
 
   rpc::Value takeResult() {

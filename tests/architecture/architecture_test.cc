@@ -41,6 +41,7 @@ const std::map<std::string, std::set<std::string>> kOnlyHere = {
     {"tinyxml2", {"motion"}},
     {"zlib.h", {"motion", "validation"}},
     {"nlohmann", {"validation", "naoqi_api"}},
+    {"espeak-ng/", {"naoqi_api"}},
     {"ceres/", {"validation"}},
     {"spdlog", {"daemon", "app"}},
     {"opencv2", {}},

@@ -168,6 +168,52 @@ TEST_F(HostileClient, ASignatureNestedAHundredThousandDeepIsAnError) {
   expectWell();
 }
 
+TEST_F(HostileClient, OneThatAnnouncesFourGigabytesIsClosed) {
+  const std::size_t before = residentBytes();
+  for (const bool is_open : {false, true}) {
+    const BareSocket announcer(running_.port());
+    if (is_open) announcer.send(callFrame({1, 1, 108}, Value::tuple({})));
+    wire::Bytes header = callFrame({1, 1, 108}, Value::tuple({}));
+    std::fill(header.begin() + 8, header.begin() + 12, std::uint8_t{0xFF});  // the payload's size
+    announcer.send(header);
+    EXPECT_TRUE(announcer.isClosed(0));
+  }
+  EXPECT_LT(residentBytes(), before + (16U << 20U));
+  expectWell();
+}
+
+TEST_F(HostileClient, ManyThatSendLargeHalvesAndSleepTakeNoMoreThanTheBudget) {
+  const std::size_t before = residentBytes();
+  wire::Bytes half = callFrame({1, 1, 108}, Value::tuple({}));
+  half.resize(12U << 20U, 'x');  // of 16 MiB announced
+  const std::uint32_t size = wire::kMaxPayload;
+  std::copy_n(reinterpret_cast<const std::uint8_t*>(&size), sizeof size, half.begin() + 8);
+  std::vector<std::unique_ptr<BareSocket>> sleepers;
+  for (int k = 0; k < 60; ++k) {  // 720 MiB
+    sleepers.push_back(std::make_unique<BareSocket>(running_.port()));
+    sleepers.back()->send(callFrame({1, 1, 108}, Value::tuple({})));
+    sleepers.back()->send(half);
+  }
+  expectWell();
+  EXPECT_LT(residentBytes(), before + 2 * ByteBudget::kMost);  // a vector may have grown twofold
+}
+
+TEST_F(HostileClient, ItCanNotUnregisterOrMoveTheServiceOfAnotherClient) {
+  TcpClient host(running_.port());
+  services::ServiceInfo info;
+  info.name = "Mine";
+  const auto as_value = [&info] { return toValue(info, services::ServiceInfoFields::Six); };
+  const Value entered = host.answer(host.call({1, 1, 102}, Value::tuple({as_value()})), "I");
+  info.service_id = *entered.find<std::uint32_t>();
+  host.answer(host.call({1, 1, 104}, Value::tuple({entered})), "v");
+  TcpClient other(running_.port());
+  for (const auto& [action, argument] : {std::pair(103U, entered), std::pair(105U, as_value())}) {
+    const auto id = other.call({1, 1, action}, Value::tuple({argument}));
+    EXPECT_NE(other.answer(id, "v").findText(), nullptr) << action;
+  }
+  EXPECT_EQ(witness_.service("Mine"), info.service_id);
+}
+
 TEST_F(HostileClient, ItCanNotUnregisterOrMoveWhatIsNotItsOwn) {
   TcpClient client(running_.port());
   for (const std::string name : {"ALMotion", "ServiceDirectory"}) {
@@ -176,6 +222,30 @@ TEST_F(HostileClient, ItCanNotUnregisterOrMoveWhatIsNotItsOwn) {
   }
   expectWell();
   EXPECT_GT(witness_.service("ALMotion"), 1U);
+}
+
+TEST_F(HostileClient, WaitsForWhatNeverEndsLeaveNothingBehind) {
+  TcpClient paused(running_.port());
+  const std::uint32_t usar_sim = paused.service("UsarSim");
+  paused.answer(paused.call({usar_sim, 1, paused.method(usar_sim, "pause")}, Value::tuple({})),
+                "v");
+  const std::uint32_t motion = paused.service("ALMotion");
+  const std::uint32_t move = paused.method(motion, "moveToward");
+  const std::uint32_t wait = paused.method(motion, "waitUntilMoveIsFinished");
+  paused.answer(paused.call({motion, 1, move}, Value::tuple({1.0F, 0.0F, 0.0F})), "v");
+  const wire::Bytes call = callFrame({motion, 1, wait}, Value::tuple({}));
+  wire::Bytes many;
+  for (int k = 0; k < 1000; ++k) many.insert(many.end(), call.begin(), call.end());
+  std::size_t after_the_first = 0;
+  for (int k = 0; k < 100; ++k) {
+    {
+      TcpClient waiting(running_.port());
+      waiting.sendBytes(many);
+      waiting.service("ALMotion");  // all have been taken
+    }
+    if (k == 10) after_the_first = residentBytes();
+  }
+  EXPECT_LT(residentBytes(), after_the_first + (16U << 20U));
 }
 
 TEST_F(HostileClient, HalfAFrameHarmsNobody) {

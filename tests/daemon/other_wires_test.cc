@@ -139,7 +139,7 @@ TEST_F(OtherWires, APageTalksToARobotOverItsWebSocket) {
   const std::string base = "/libs/qimessaging/2/socket.io/1/";
   const std::string handshake = get(base + "?t=1", "localhost").body();
   const std::string session = handshake.substr(0, handshake.find(':'));
-  EXPECT_EQ(handshake, session + ":15:25:websocket");
+  EXPECT_EQ(handshake, session + ":15:25:websocket,xhr-polling");
   beast::websocket::stream<beast::tcp_stream> socket(io_);
   beast::get_lowest_layer(socket).connect(local(portOf("http")));
   socket.handshake("localhost", base + "websocket/" + session);
@@ -170,9 +170,54 @@ TEST_F(OtherWires, APageTalksToARobotOverItsWebSocket) {
   EXPECT_TRUE(error);
 }
 
+TEST_F(OtherWires, APageWithoutAWebSocketPolls) {
+  const std::string base = "/libs/qimessaging/2/socket.io/1/";
+  const std::string handshake = get(base + "?t=1", "localhost").body();
+  const std::string poll = base + "xhr-polling/" + handshake.substr(0, handshake.find(':'));
+  const auto say = [&](const std::string& text) {
+    beast::tcp_stream stream(io_);
+    stream.connect(local(portOf("http")));
+    http::request<http::string_body> request(http::verb::post, poll, 11);
+    request.set(http::field::host, "localhost");
+    request.set(http::field::content_type, "text/plain;charset=UTF-8");
+    request.body() = text;
+    request.prepare_payload();
+    http::write(stream, request);
+    beast::flat_buffer buffer;
+    http::response<http::string_body> response;
+    http::read(stream, buffer, response);
+    return response;
+  };
+  EXPECT_EQ(get(poll, "localhost").body(), "1::");
+  const std::string service =
+      R"(5:::{"name":"call","args":[{"idm":1,"params":{"obj":"ServiceDirectory",)"
+      R"("member":"service","args":["ALMotion"]}}]})";
+  EXPECT_EQ(say(service).result_int(), 200U);
+  EXPECT_EQ(get(poll + "?t=2", "localhost").body().rfind("5:::{\"name\":\"reply\"", 0), 0U);
+  EXPECT_EQ(get(poll, "localhost", "http://evil.example").result_int(), 403U);
+  EXPECT_EQ(say("no packet").result_int(), 400U);
+  EXPECT_EQ(say(service).result_int(), 404U);  // it has gone
+  EXPECT_EQ(get(base + "xhr-polling/0123", "localhost").result_int(), 404U);
+}
+
+TEST(Endpoints, ListenOnThePortOfEveryAddress) {
+  Options options = optionsForOne();
+  options.listen = {"127.0.0.1", "127.0.0.2"};
+  const Running running(options);
+  asio::io_context io;
+  for (const std::string& host : options.listen) {
+    tcp::socket socket(io);
+    boost::system::error_code error;
+    socket.connect({asio::ip::make_address(host), running.port()}, error);
+    EXPECT_FALSE(error) << host;
+  }
+  EXPECT_EQ(running.addresses(),
+            std::vector<std::string>{"tcp://127.0.0.2:" + std::to_string(running.port())});
+}
+
 TEST(Security, BeyondThisMachineNeedsAuthOrInsecure) {
   Options options = optionsForOne();
-  options.listen = "0.0.0.0";
+  options.listen = {"0.0.0.0"};
   EXPECT_THROW(Daemon{options}, InputError);
   options.insecure = true;
   EXPECT_NO_THROW(Daemon{options});
@@ -183,7 +228,6 @@ TEST(Security, EveryWireAsksForTheToken) {
   std::ofstream(file) << "nao secret\n";
   Options options = everyWire();
   options.auth = file;
-  options.listen = "127.0.0.1";
   Running running(options);
   std::filesystem::remove(file);
   TcpClient client(running.port());

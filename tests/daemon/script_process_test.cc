@@ -16,7 +16,7 @@ class ScriptProcessTest : public testing::Test {
     folder.write("usarnaoqi_behavior.py", code);
     std::optional<std::string> told;
     const auto process =
-        ScriptProcess::start(io, {"some.xar", folder.path(), "127.0.0.1:1"},
+        ScriptProcess::start(io, {"some.xar", folder.path(), "127.0.0.1:1", token},
                              [&told](const std::string& failure) { told = failure; });
     EXPECT_FALSE(told);
     if (stop) process->stop();
@@ -25,6 +25,7 @@ class ScriptProcessTest : public testing::Test {
   }
 
   TemporaryFolder folder;
+  std::string token;
   boost::asio::io_context io;
 };
 
@@ -36,6 +37,16 @@ TEST_F(ScriptProcessTest, TellsOfItsEndAndWhetherItFailed) {
   EXPECT_NE(run("raise ValueError()").value_or(""), "");
 }
 
+TEST_F(ScriptProcessTest, KnowsWhoToSayItIsWhereThatIsAsked) {
+  const std::string code =
+      "import os, sys\nsys.exit(os.environ.get('USARNAOQI_TOKEN') != 'secret' or "
+      "os.environ.get('USARNAOQI_USER') != 'usarnaoqi-script')\n";
+  EXPECT_NE(run(code), "");
+  io.restart();
+  token = "secret";
+  EXPECT_EQ(run(code), "");
+}
+
 TEST_F(ScriptProcessTest, EndsWhenAsked) {
   EXPECT_EQ(run("import signal\nsignal.pause()\n", true), "");
 }
@@ -43,7 +54,7 @@ TEST_F(ScriptProcessTest, EndsWhenAsked) {
 TEST_F(ScriptProcessTest, WhoLetsGoOfItEndsIt) {
   folder.write("usarnaoqi_behavior.py", "import signal\nsignal.pause()\n");
   bool told = false;
-  ScriptProcess::start(io, {"some.xar", folder.path(), "127.0.0.1:1"},
+  ScriptProcess::start(io, {"some.xar", folder.path(), "127.0.0.1:1", ""},
                        [&told](const std::string&) { told = true; });
   io.run();
   EXPECT_FALSE(told);

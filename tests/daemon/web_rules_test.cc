@@ -51,6 +51,9 @@ TEST(WebRules, PathsAreThoseOfTheRobot) {
   const auto socket = readTarget("/libs/qimessaging/2/socket.io/1/websocket/abc?t=1");
   EXPECT_EQ(socket.kind, Kind::Socket);
   EXPECT_EQ(socket.session, "abc");
+  const auto poll = readTarget("/libs/qimessaging/2/socket.io/1/xhr-polling/abc?t=1");
+  EXPECT_EQ(poll.kind, Kind::Poll);
+  EXPECT_EQ(poll.session, "abc");
   EXPECT_EQ(readTarget("/../etc/passwd").kind, Kind::Unknown);
 }
 

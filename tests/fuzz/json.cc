@@ -1,9 +1,10 @@
-// Whatever a page sends, one message per line.
+// Whatever a page sends, one body of messages per line.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
 
 #include "naoqi_api/wire/qijs_connection.h"
+#include "naoqi_api/wire/socket_io.h"
 #include "tests/naoqi_api/test_client.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -15,7 +16,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   bool goes_on = true;
   while (goes_on && !rest.empty()) {
     const std::string_view line = rest.substr(0, rest.find('\n'));
-    goes_on = page.receive(line);
+    const auto packets = nao::wire::splitPackets(line);
+    goes_on = packets.has_value();
+    for (std::size_t k = 0; goes_on && k < packets->size(); ++k)
+      goes_on = page.receive((*packets)[k]);
     rest.remove_prefix(std::min(rest.size(), line.size() + 1));
   }
   demo.demo.finishSlowCalls();

@@ -5,11 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
 
 #include "naoqi_api/wire/bytes.h"
+#include "tests/naoqi_api/captured_robot.h"
 #include "tests/naoqi_api/test_client.h"
 
 namespace nao::wire {
@@ -122,8 +124,9 @@ void expectSame(const Message& ours, const Message& theirs, bool ends_in_uid) {
 }
 
 // Returns how many messages of the server were compared.
-int replay(const Connection& connection, DemoHub& demo, bool ends_in_uid) {
-  TestClient client(demo.hub);
+int replay(const Connection& connection, rpc::ServiceHub& hub,
+           const std::function<void()>& finish_slow_calls, bool ends_in_uid) {
+  TestClient client(hub);
   int compared = 0;
   for (const Line& line : connection.lines) {
     if (line.from_client) {
@@ -131,7 +134,7 @@ int replay(const Connection& connection, DemoHub& demo, bool ends_in_uid) {
       continue;
     }
     const Message theirs = parse(line.bytes);
-    if (client.received.empty()) demo.demo.finishSlowCalls();
+    if (client.received.empty()) finish_slow_calls();
     const auto ours = client.next();
     if (!ours) {
       ADD_FAILURE() << "no answer to " << theirs.id;
@@ -150,7 +153,8 @@ int replayAll(const std::string& name, const rpc::Personality& personality, bool
   int compared = 0;
   for (const Connection& connection : loadCapture(name)) {
     DemoHub demo(personality);  // like the captured ones, each starts from the same state
-    compared += replay(connection, demo, ends_in_uid);
+    compared += replay(
+        connection, demo.hub, [&demo] { demo.demo.finishSlowCalls(); }, ends_in_uid);
   }
   return compared;
 }
@@ -179,6 +183,18 @@ TEST(Capture, OddOpeningsAndErrorsGetTheAnswersOfARealServer) {
 
 TEST(Capture, QiloopGetsTheAnswersOfARealServer) {
   EXPECT_EQ(replayAll("qiloop", rpc::Personality::libqi4(), false), 16);
+}
+
+// Programs for robots, in Go and in Python. The Go client cancels in a way that libqi does not
+// take.
+TEST(Capture, ClientsOfMotionAndCamerasGetTheAnswersOfARealServer) {
+  int compared = 0;
+  for (const Connection& connection : loadCapture("nao_clients")) {
+    CapturedRobot robot;
+    compared += replay(
+        connection, robot.hub, [&robot] { robot.endMoves(); }, false);
+  }
+  EXPECT_EQ(compared, 35);
 }
 
 TEST(Capture, ConversionsAreThoseOfARealServer) {

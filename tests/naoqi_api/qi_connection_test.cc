@@ -297,6 +297,16 @@ TEST_F(QiConnectionTest, TracesTellOfCallsAndResults) {
   EXPECT_EQ(kind(), 2);  // after the reply, as a real server does
 }
 
+TEST_F(QiConnectionTest, TracesTellOfSignals) {
+  subscribe(client_, 86, 5);
+  demo_.demo.tick(7, "x");
+  const Value event = client_.nextValue(rpc::Monitor::kTraceSignature);
+  const auto& fields = *(*event.findItems())[0].findItems();
+  EXPECT_EQ(fields[1], Value(4));
+  EXPECT_EQ(fields[2], Value(112U));
+  EXPECT_EQ(fields[3], Value::list({7, "x"}));
+}
+
 TEST_F(QiConnectionTest, AnotherVersionOfTheProtocolIsRefused) {
   Message message;
   message.version = 1;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "naoqi_api/al_module.h"
+#include "naoqi_api/signal_tracer.h"
 #include "naoqi_api/tasks.h"
 #include "tests/naoqi_api/demo_service.h"
 
@@ -102,7 +103,7 @@ TEST(Emitter, TellsListenersInTheirOrderUntilTheyLeave) {
   const Signal<int> signal;
   std::vector<int> told;
   const auto first = signal.emitter().connect(
-      [&](const auto& arguments) { told.push_back(arguments[0].template to<int>()); });
+      [&](const std::vector<Value>& arguments) { told.push_back(arguments[0].to<int>()); });
   signal.emitter().connect([&](const auto& /*arguments*/) { told.push_back(-1); });
   signal(1);
   signal.emitter().disconnect(first);
@@ -120,11 +121,47 @@ TEST(Emitter, AListenerMayLeaveWhileItIsTold) {
   EXPECT_EQ(told, 0);
 }
 
+TEST(Emitter, WhoComesOrLeavesWhileOthersAreToldIsToldNextTimeOrNeverAgain) {
+  const Signal<> signal;
+  int told = 0;
+  const auto kept = std::make_shared<int>();
+  std::vector<std::uint64_t> links;
+  for (int k = 0; k < 100; ++k) {
+    links.push_back(signal.emitter().connect([&told, kept](const Emission&) { ++told; }));
+  }
+  signal.emitter().connect([&](const Emission&) {
+    for (const auto link : std::exchange(links, {})) signal.emitter().disconnect(link);
+    signal.emitter().connect([&told](const Emission&) { told += 1000; });
+  });
+  signal();
+  EXPECT_EQ(told, 100);
+  EXPECT_EQ(kept.use_count(), 1);
+  EXPECT_EQ(signal.emitter().listenerCount(), 2U);
+  signal();
+  EXPECT_EQ(told, 1100);
+}
+
+TEST(Emitter, WhatOneListenerEncodedIsThereForTheNext) {
+  const Emitter emitter("(i)");
+  int encoded = 0;
+  for (int k = 0; k < 3; ++k) {
+    emitter.connect([&](const Emission& emission) {
+      const auto* bytes = emission.encoded("(i)", [&] {
+        ++encoded;
+        return std::optional(Bytes{7});
+      });
+      EXPECT_EQ(*bytes, Bytes{7});
+    });
+  }
+  emitter.emit({1});
+  EXPECT_EQ(encoded, 1);
+}
+
 TEST(PropertyOf, TellsItsChangesAndMayRefuse) {
   const Property<float> property(0.5F);
   float told = 0;
   property.emitter().connect(
-      [&](const auto& arguments) { told = arguments[0].template to<float>(); });
+      [&](const std::vector<Value>& arguments) { told = arguments[0].to<float>(); });
   property.onSet([](float value) {
     if (value > 1) throw CallError("too much");
   });
@@ -132,6 +169,26 @@ TEST(PropertyOf, TellsItsChangesAndMayRefuse) {
   EXPECT_EQ(told, 0.75F);
   EXPECT_THROW(property.set(2), CallError);
   EXPECT_EQ(property.get(), 0.75F);
+}
+
+TEST(SignalTracer, TellsOfSignalsAndPropertiesWhileSomebodyListensToTheTrace) {
+  Demo demo;
+  const auto service = std::make_shared<Service>(demo.describe());
+  std::vector<std::uint32_t> traced;
+  SignalTracer::watch(service, [&](Service& of, std::uint32_t uid, const auto& /*arguments*/) {
+    EXPECT_EQ(&of, service.get());
+    traced.push_back(uid);
+  });
+  demo.tick(1, "before");
+  const Emitter& trace = service->monitor().traceObject();
+  const auto link = trace.connect([](const Emission&) {});
+  demo.tick(2, "during");
+  demo.level.set(0.25F);
+  trace.disconnect(link);
+  demo.tick(3, "after");
+  EXPECT_EQ(traced.size(), 2U);
+  EXPECT_EQ(service->findSignal("tick"), service->findSignal(traced.at(0)));
+  EXPECT_EQ(demo.tick.emitter().listenerCount(), 0U);
 }
 
 class AlModuleTest : public testing::Test {
@@ -145,8 +202,11 @@ class AlModuleTest : public testing::Test {
 
   Demo demo_;
   std::vector<std::function<void()>> timers_;
-  Tasks tasks_{
-      [this](Duration, std::function<void()> then) { timers_.push_back(std::move(then)); }};
+  int canceled_timers_ = 0;
+  Tasks tasks_{[this](Duration, std::function<void()> then) {
+    timers_.push_back(std::move(then));
+    return [this] { ++canceled_timers_; };
+  }};
   Service service_ = alModule("ALDemo", "A module.")
                          .method("slow", std::function<Pending<int>(int)>([this](int /*number*/) {
                                    Pending<int> pending;
@@ -204,6 +264,47 @@ TEST_F(AlModuleTest, TasksAreBounded) {
   for (std::size_t i = 0; i < Tasks::kMost; ++i) result("__pCall", {113U, Value::list({5})});
   EXPECT_EQ(errorOf(call("__pCall", {113U, Value::list({5})})),
             "too many calls posted and not ended");
+}
+
+TEST_F(AlModuleTest, WaitsAreForgottenWithTheirClient) {
+  const int task = result("__pCall", {113U, Value::list({5})}).to<int>();
+  call("wait", {task, 1000}).abandon();
+  call("wait", {task, 0}).abandon();
+  EXPECT_EQ(tasks_.waitCount(task), 0U);
+  EXPECT_GE(canceled_timers_, 1);
+  EXPECT_EQ(result("isRunning", {task}), Value(true));
+}
+
+TEST_F(AlModuleTest, APostedCallThatOnlyWaitsEndsWithItsClient) {
+  const auto client = std::make_shared<Session>(7, "tcp://127.0.0.1:1");
+  Pending<Value> waits;
+  waits.onlyWaits();
+  Pending<Value> moves;
+  moves.onCancel([] {});
+  const int waiting = tasks_.start(waits, client);
+  const int moving = tasks_.start(moves, client);
+  client->end();
+  EXPECT_FALSE(tasks_.isRunning(waiting));
+  EXPECT_TRUE(tasks_.isRunning(moving));
+}
+
+TEST_F(AlModuleTest, TheShortWaitComesAfterAllOtherMembersAndHasNoLimit) {
+  addShortWait(service_);
+  EXPECT_EQ(service_.findMethod(114)->parameters_signature, "(i)");
+  const int task = result("__pCall", {113U, Value::list({5})}).to<int>();
+  const auto waiting = call("wait", {task});
+  EXPECT_FALSE(waiting.isDone());
+  slow_.at(0).resolve(1);
+  EXPECT_TRUE(waiting.isDone());
+}
+
+TEST(Tasks, OfTwoRobotsHaveIdsOfOneCount) {
+  const auto ids = std::make_shared<TaskIds>();
+  Tasks one({}, ids);
+  Tasks other({}, ids);
+  const int first = one.start(Pending<Value>());
+  EXPECT_EQ(other.start(Pending<Value>()), first + 1);
+  EXPECT_FALSE(other.isRunning(first));
 }
 
 TEST_F(AlModuleTest, PostOfNoMethodIsAnError) {

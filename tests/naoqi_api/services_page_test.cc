@@ -47,12 +47,20 @@ TEST_F(ServicesPage, IsWhatTheDeclarationsSay) {
       << "build/usarnaoqi describe --services --markdown > docs/services.md";
 }
 
+bool declares(const rpc::Service& service, const std::string& name) {
+  const auto& methods = service.methods();
+  return std::any_of(methods.begin(), methods.end(),
+                     [&](const auto& entry) { return entry.second.name == name; });
+}
+
 TEST_F(ServicesPage, HasEveryDocumentedMethod) {
   for (const DocumentedService& documented : documentedServices()) {
     const auto service = hub_.findService(documented.name);
     ASSERT_TRUE(service) << documented.name;
     for (const DocumentedMethod& method : documented.methods) {
-      const auto count = rpc::Signature::of(method.parameters).children().size();
+      const bool is_known = method.parameters != "(?)";
+      const auto count = is_known ? rpc::Signature::of(method.parameters).children().size() : 0;
+      if (!is_known && declares(*service, method.name)) continue;
       EXPECT_TRUE(service->findMethod(method.name, std::vector<rpc::Value>(count, 0)))
           << documented.name << "." << method.name << method.parameters;
     }

@@ -3,10 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <map>
-#include <sstream>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -16,7 +13,6 @@
 namespace nao::services {
 namespace {
 
-namespace fs = std::filesystem;
 using rpc::Value;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
@@ -370,42 +366,6 @@ TEST_F(AlMemoryTest, AMappedSignalRaisesItsEvent) {
   EXPECT_EQ(call("getData", {"TargetLost"}), Value("ball"));
   EXPECT_NE(call("addMapping", {"Tracker", "found", "x"}).print().find("has no signal"),
             std::string::npos);
-}
-
-// Name and parameters of each method by number, as a real robot has them.
-std::map<std::uint32_t, std::pair<std::string, std::string>> robotsMethods(const fs::path& table) {
-  std::map<std::uint32_t, std::pair<std::string, std::string>> methods;
-  std::ifstream file(table);
-  for (std::string line; std::getline(file, line);) {
-    std::istringstream row(line);
-    std::string service, uid, kind, name, parameters;
-    std::getline(row, service, ',');
-    std::getline(row, uid, ',');
-    std::getline(row, kind, ',');
-    std::getline(row, name, ',');
-    std::getline(row, parameters, ',');
-    if (service == "ALMemory" && kind == "fn") {
-      methods[static_cast<std::uint32_t>(std::stoul(uid))] = {name, parameters};
-    }
-  }
-  return methods;
-}
-
-TEST_F(AlMemoryTest, MethodsHaveTheNumbersOfARealRobot) {
-  const fs::path table =
-      fs::path(NAO_SOURCE_DIR) / ".." / "shared/data/api/wire_uids_qiloop_idl_v5.csv";
-  if (!fs::exists(table)) GTEST_SKIP() << "needs " << table;
-  const auto methods = robotsMethods(table);
-  ASSERT_EQ(methods.size(), 68U);
-  for (const auto& [uid, method] : methods) {
-    const bool is_private = method.first[0] == '_' && uid > 112;
-    if (uid < rpc::Service::kFirstUid || is_private) continue;
-    const rpc::Method* ours = service_.findMethod(uid);
-    ASSERT_NE(ours, nullptr) << uid << " " << method.first;
-    EXPECT_EQ(ours->name, method.first) << uid;
-    EXPECT_EQ(ours->parameters_signature, method.second) << uid << " " << method.first;
-  }
-  for (const auto& [uid, method] : service_.methods()) EXPECT_EQ(methods.count(uid), 1U) << uid;
 }
 
 }  // namespace

@@ -121,11 +121,20 @@ TEST_F(AlMemoryWireTest, AnObjectThatTheClientDropsHearsNoMore) {
 
 TEST_F(AlMemoryWireTest, AClientThatVanishesLeavesNothingBehind) {
   for (int i = 0; i < 3; ++i) registerFor(subscribe("ball"));
-  EXPECT_EQ(memory_.store().listenerCount("ball"), 3U);
+  EXPECT_EQ(memory_.store().listenerCount("ball"), 1U);  // for all who subscribed
   client_.connection.reset();
   EXPECT_EQ(memory_.store().listenerCount("ball"), 0U);
   raise(other_, "ball", 1);
   EXPECT_EQ(other_.next()->type, MessageType::Reply);
+}
+
+TEST_F(AlMemoryWireTest, ASubscriberOfAnEventThatWasRemovedMeanwhileHears) {
+  registerFor(subscribe("ball"));
+  hub_.findService("ALMemory")->call("removeEvent", {"ball"});
+  registerFor(subscribe("ball"));
+  raise(other_, "ball", 1);
+  EXPECT_TRUE(client_.next());
+  EXPECT_FALSE(client_.next());  // the first hears no more
 }
 
 TEST_F(AlMemoryWireTest, CallsTheModuleOfAClientWithoutWaitingForIt) {

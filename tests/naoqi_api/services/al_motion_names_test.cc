@@ -16,7 +16,6 @@ namespace fs = std::filesystem;
 
 // What the list of a robot's methods has and ours has not, and why.
 const std::map<std::string, std::string> kMissing = {
-    {"getChainClosestObstaclePosition(si)", "asks sensors of arms that no Nao has"},
     {"getPushRecoveryEnabled(v)", "a slip of the list: it is there without arguments"},
     {"pCall()", "a slip of the list: it takes one argument"},
     {"setTransforms(si[f]fi)", "setTransforms(mmmfm) takes such arguments"},

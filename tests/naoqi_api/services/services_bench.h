@@ -14,8 +14,10 @@ namespace nao::services {
 /// All services of a robot without physics: calls by service and method, in simulated time.
 class ServicesBench : public testing::Test {
  protected:
-  ServicesBench()
-      : bench_(loadRobotModel(std::string(NAO_SOURCE_DIR) + "/robots", "nao_h25_v50")),
+  /// `data_dir`: the clients' files; none unless a test wants some.
+  explicit ServicesBench(std::filesystem::path data_dir = {})
+      : data_dir_(std::move(data_dir)),
+        bench_(loadRobotModel(std::string(NAO_SOURCE_DIR) + "/robots", "nao_h25_v50")),
         services_(bench_.link, setup()),
         hub_({}) {
     services_.addTo(hub_);
@@ -52,12 +54,15 @@ class ServicesBench : public testing::Test {
   RobotServicesSetup setup() {
     RobotServicesSetup setup;
     setup.ports = bench_.ports;
-    setup.images = std::make_shared<camera::ImageFeed>();
+    setup.images = images_;
     setup.robot_name = "nao";
+    setup.data_dir = data_dir_;
     setup.log = [this](const std::string& text) { log_.push_back(text); };
     return setup;
   }
 
+  std::filesystem::path data_dir_;
+  std::shared_ptr<camera::ImageFeed> images_ = std::make_shared<camera::ImageFeed>();
   std::vector<std::string> log_;
   RobotBench bench_;
   RobotServices services_;

@@ -82,5 +82,20 @@ TEST(VersionShapes, TheWireOf29IsStrictAndAllOthersAreNot) {
   EXPECT_FALSE(Personality::naoqi("2.5").capabilities.at("ObjectPtrUID"));
 }
 
+TEST(VersionShapes, OneXNamesTheFirstWindowOfANameAsItWasAsked) {
+  Robot old("1.14");
+  Robot later("2.1");
+  const std::vector<Value> window = {"eye", 1, 11, 5};
+  EXPECT_EQ(old.call("ALVideoDevice", "subscribe", window), Value("eye"));
+  EXPECT_EQ(old.call("ALVideoDevice", "subscribe", window), Value("eye_2"));
+  EXPECT_EQ(later.call("ALVideoDevice", "subscribe", window), Value("eye_0"));
+}
+
+TEST(VersionShapes, TheRobotRequiresTheSoftwareItRuns) {
+  Robot robot("2.8");
+  EXPECT_EQ(robot.call("ALMemory", "getData", {"RobotConfig/Body/SoftwareRequirement"}),
+            robot.call("ALSystem", "systemVersion"));
+}
+
 }  // namespace
 }  // namespace nao::services

@@ -1,6 +1,7 @@
 """A session with a robot: opens the connection and finds services by name."""
 
 import functools
+import os
 import socket
 import threading
 from typing import Any, Dict, List, NamedTuple, Optional, Tuple
@@ -15,6 +16,7 @@ CONNECT_TIMEOUT = 5.0  # s
 AUTHENTICATE = 8
 AUTH_STATE, AUTH_DONE = "__qi_auth_state", 3
 SERVICE_DIRECTORY = 1
+CREDENTIALS = ("USARNAOQI_USER", "USARNAOQI_TOKEN")
 # A capability counts only if both ends have it. Ours are those the package understands.
 CAPABILITIES = {"ClientServerSocket": False, "MessageFlags": True, "MetaObjectCache": False,
                 "ObjectPtrUID": True, "RelativeEndpointURI": True, "RemoteCancelableCalls": True}
@@ -31,9 +33,12 @@ class ServiceInfo(NamedTuple):
 
 
 class Session:
-    """Connected from its construction to close(). Thread-safe."""
+    """Connected from its construction to close(). Thread-safe. Without a user and a token it says
+    those of the environment, USARNAOQI_USER and USARNAOQI_TOKEN, if they are there."""
 
     def __init__(self, address: str = "127.0.0.1", user: str = "", token: str = ""):
+        if not user and not token:
+            user, token = (os.environ.get(name, "") for name in CREDENTIALS)
         self._credentials = {"auth_user": user, "auth_token": token} if user or token else {}
         self._lock = threading.Lock()
         self._services: Dict[str, RemoteObject] = {}

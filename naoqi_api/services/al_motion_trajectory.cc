@@ -1,0 +1,223 @@
+#include "naoqi_api/services/al_motion_trajectory.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "naoqi_api/services/al_motion_names.h"
+#include "naoqi_api/services/naoqi_method.h"
+
+namespace nao::services {
+namespace {
+
+using rpc::Answer;
+using rpc::Argument;
+using rpc::CallError;
+using rpc::Value;
+
+constexpr std::size_t kMostPoints = 1000;
+constexpr int kDeepest = 16;
+constexpr double kArc = 0.35;  // [rad] of a circle walked straight; free
+
+const std::vector<Value>& partsOf(const Value& value, std::size_t least) {
+  const auto* parts = value.findItems();
+  if (!parts || parts->size() < least || !parts->front().findText()) {
+    throw CallError("expected [\"Line\", ...] or the like, got " + value.print());
+  }
+  return *parts;
+}
+
+Eigen::Vector2d readPoint(const Value& value) {
+  const auto numbers = value.to<std::vector<double>>();
+  if (numbers.size() != 2) throw CallError("expected [x, y], got " + value.print());
+  return {finite(numbers[0]), finite(numbers[1])};
+}
+
+void appendLine(const Value& line, std::vector<Eigen::Vector2d>& points, int depth) {
+  if (depth > kDeepest || points.size() > kMostPoints) throw CallError("the way is too long");
+  const auto& parts = partsOf(line, 2);
+  const std::string& kind = *parts[0].findText();
+  const Eigen::Vector2d start = points.back();
+  if (kind == "Composed") {
+    for (std::size_t i = 1; i < parts.size(); ++i) appendLine(parts[i], points, depth + 1);
+  } else if (kind == "Line") {
+    points.push_back(start + readPoint(parts[1]));
+  } else if (kind == "Circle" && parts.size() >= 3) {
+    const Eigen::Vector2d centre = readPoint(parts[1]);
+    const double angle = std::clamp(finite(parts[2].to<double>()), -100.0, 100.0);
+    const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(angle) / kArc)));
+    for (int i = 1; i <= pieces; ++i) {
+      const Eigen::Rotation2Dd turned(angle * i / pieces);
+      points.push_back(start + centre - turned * centre);
+    }
+  } else {
+    throw CallError("expected Line, Circle or Composed, got " + line.print());
+  }
+}
+
+// Each part begins where the one before has ended, as it then stands.
+void appendWay(const Value& way, std::vector<Pose2>& poses, int depth) {
+  if (depth > kDeepest || poses.size() > kMostPoints) throw CallError("the way is too long");
+  const auto& parts = partsOf(way, 2);
+  const std::string& kind = *parts[0].findText();
+  const bool holds_ways =
+      kind == "Composed" && parts[1].isList() && partsOf(parts[1], 1).front() == Value("Holonomic");
+  if (holds_ways) {
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+      if (parts[i].isList()) appendWay(parts[i], poses, depth + 1);
+    }
+    return;
+  }
+  const bool is_holonomic = kind == "Holonomic";
+  if (is_holonomic && parts.size() < 4) {
+    throw CallError("expected [\"Holonomic\", line, turn, seconds], got " + way.print());
+  }
+  std::vector<Eigen::Vector2d> points = {Eigen::Vector2d::Zero()};
+  appendLine(is_holonomic ? parts[1] : way, points, depth + 1);
+  const double turn = is_holonomic ? finite(parts[2].to<double>()) : 0;
+  const Pose2 start = poses.empty() ? Pose2{} : poses.back();
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double part = static_cast<double>(i) / static_cast<double>(points.size() - 1);
+    poses.push_back(compose(start, {points[i].x(), points[i].y(), part * turn}));
+  }
+}
+
+Value asList(const Pose2& pose) {
+  return Value::list(
+      {static_cast<float>(pose.x), static_cast<float>(pose.y), static_cast<float>(pose.theta)});
+}
+
+Value asList(const std::vector<Pose2>& poses) {
+  std::vector<Value> list;
+  for (const Pose2& pose : poses) list.push_back(asList(pose));
+  return Value::list(std::move(list));
+}
+
+}  // namespace
+
+std::vector<Pose2> readWay(const Value& way) {
+  std::vector<Pose2> poses;
+  appendWay(way, poses, 0);
+  return poses;
+}
+
+rpc::Pending<void> AlMotionTrajectory::walk(rpc::Service& service, const Value& way,
+                                            const Value& config) {
+  const auto points = readWay(way);
+  points_.clear();
+  for (const Pose2& point : points) points_.push_back(compose(link_.state()->position, point));
+  const int id = ++id_;
+  walking_ = true;
+  rpc::Pending<void> done;
+  const auto walked = service.call("moveTo", {asList(points), config}, {});
+  done.cancelsWith(walked);
+  walked.whenDone([this, id, done](const auto& outcome) {
+    if (id == id_) walking_ = false;
+    if (outcome.isCanceled()) return done.cancelNow();
+    if (outcome.error) return done.fail(*outcome.error);
+    done.resolve();
+  });
+  return done;
+}
+
+// The points from the nearest on.
+std::vector<Pose2> AlMotionTrajectory::left() const {
+  if (!walking_ || points_.empty()) return {};
+  const Pose2 at = link_.state()->position;
+  const auto distance = [&](const Pose2& point) {
+    return std::hypot(point.x - at.x, point.y - at.y);
+  };
+  const auto nearest =
+      std::min_element(points_.begin(), points_.end(),
+                       [&](const Pose2& a, const Pose2& b) { return distance(a) < distance(b); });
+  return {nearest, points_.end()};
+}
+
+void AlMotionTrajectory::declare(rpc::Service& service) {
+  const Argument way{
+      "path",
+      "[\"Line\", [x, y]], [\"Circle\", centre, angle], [\"Composed\", part, ...], or "
+      "[\"Holonomic\", line, turn, seconds]."};
+  const Argument config{"moveConfig", "[[name, value], ...]"};
+  const Argument start{"poseStart", "[x, y, theta] in the world where the way begins; ignored."};
+  const Argument scale{"scaleFactor", "Changes nothing: steps take their own time."};
+  const Value none = Value::list({});
+  const char* const follow = "Walks along a line and waits until the robot is there.";
+  addFunction(
+      service, "_followPath",
+      [this, &service](const Value& path, const Value& with) { return walk(service, path, with); },
+      follow, way, config)
+      .at(151);
+  addFunction(
+      service, "_followPath",
+      [this, &service, none](const Value& path) { return walk(service, path, none); }, follow, way)
+      .at(152);
+  addFunction(
+      service, "_followPathInWorld",
+      [this, &service](const Value&, const Value& path, const Value& with) {
+        return walk(service, path, with);
+      },
+      follow, start, way, config)
+      .at(153)
+      .answering(Answer::Simplified);
+  addFunction(
+      service, "_followPathInWorld",
+      [this, &service, none](const Value&, const Value& path) { return walk(service, path, none); },
+      follow, start, way)
+      .at(154)
+      .answering(Answer::Simplified);
+  const auto along = [this, &service, none](const Value& path) {
+    rpc::Pending<int> told;
+    const auto walked = walk(service, path, none);
+    told.cancelsWith(walked);
+    walked.whenDone([told, id = id_](const auto& outcome) {
+      if (outcome.isCanceled()) return told.cancelNow();
+      if (outcome.error) return told.fail(*outcome.error);
+      told.resolve(id);
+    });
+    return told;
+  };
+  const char* const moves = "Walks along a way; its number when the robot is there.";
+  addFunction(service, "_moveAlong", along, moves, way).at(156);
+  addFunction(
+      service, "_moveAlong", [along](const Value& path, float) { return along(path); }, moves, way,
+      scale)
+      .at(157)
+      .answering(Answer::Simplified);
+  declareTelling(service);
+}
+
+void AlMotionTrajectory::declareTelling(rpc::Service& service) {
+  addFunction(
+      service, "_setFollowPathSpeedFactor", [](float) {}, "Has no effect.",
+      Argument{"speedFactor", "Ignored: steps take their own time."})
+      .at(155)
+      .answering(Answer::Simplified);
+  addFunction(
+      service, "_getTrajectoryId", [this] { return id_; }, "The number of the last way; 0 before.")
+      .at(158);
+  addFunction(
+      service, "_stopAndStitchMoveAlong", [this] { link_.post(motion::StopMove{}); },
+      "Ends the walk with both feet on the ground.")
+      .at(159);
+  addFunction(
+      service, "_getRemainingPath", [this](float) { return asList(left()); },
+      "The corners still to come, in the world.",
+      Argument{"sampleStep", "Changes nothing: the corners are told."})
+      .at(160);
+  addFunction(
+      service, "_getRemainingTrajectory", [this](float, float) { return asList(left()); },
+      "The corners still to come, in the world.",
+      Argument{"timeStep", "Changes nothing: the corners are told."},
+      Argument{"preview", "Changes nothing."})
+      .at(161);
+  addFunction(
+      service, "_getTrajectoryCompletion",
+      [this] {
+        if (!walking_ || points_.empty()) return 1.0F;
+        return 1.0F - static_cast<float>(left().size()) / static_cast<float>(points_.size());
+      },
+      "The part of the corners that is behind the robot: 0 to 1.")
+      .at(162);
+}
+
+}  // namespace nao::services

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "naoqi_api/service.h"
+
+namespace nao::rpc {
+
+/// Puts what a service's signals and properties emit into its trace while somebody listens to that.
+class SignalTracer : public std::enable_shared_from_this<SignalTracer> {
+ public:
+  using Trace = std::function<void(Service&, std::uint32_t uid, const std::vector<Value>&)>;
+
+  /// From now on, as long as `service` lives; `trace` is told of every emission.
+  static void watch(const std::shared_ptr<Service>& service, Trace trace);
+
+ private:
+  SignalTracer(std::weak_ptr<Service> service, Trace trace)
+      : service_(std::move(service)), trace_(std::move(trace)) {}
+
+  void follow(bool wanted);
+  void follow(std::uint32_t uid, const Emitter& emitter);
+
+  std::weak_ptr<Service> service_;
+  Trace trace_;
+  std::vector<std::pair<Emitter, std::uint64_t>> followed_;  // and the links
+};
+
+}  // namespace nao::rpc
