@@ -66,7 +66,7 @@ class Recorder:
                    self._motion.getRobotPosition(True, _async=True),
                    self._memory.getListData(TILT_KEYS, _async=True)]
         now, floor, torso, commanded, measured, odometry, tilt = [
-            future.value(10) for future in futures]
+            future.value(10000) for future in futures]
         return Sample(now, commanded, measured, Pose(*odometry), Pose(*floor), tuple(tilt),
                       tuple(torso[3:5]))
 

@@ -73,7 +73,7 @@ class RecordedConversation(WithServer):
         future = self.demo.slow(1500, _async=True)
         future.cancel()
         with self.assertRaisesRegex(CallError, "canceled"):
-            future.value(SOON)
+            future.value(SOON * 1000)
         self.assertTrue(future.isCanceled())
 
     def testSignalsReachTheirSubscribers(self):
@@ -201,14 +201,14 @@ class Misbehaviour(WithServer):
     def testAWaitMayEndBeforeTheAnswer(self):
         demo = self.connect(self.openedThen(lambda message: [])).service("Demo")
         with self.assertRaises(TimeoutError):
-            demo.say("py", _async=True).value(timeout=0.01)
+            demo.say("py", _async=True).value(timeout=10)
 
     def testClosingFailsTheCallsThatWait(self):
         session = self.connect(self.openedThen(lambda message: []))
         future = session.service("Demo").say("py", _async=True)
         session.close()
         with self.assertRaisesRegex(ConnectionLost, "closed"):
-            future.value(SOON)
+            future.value(SOON * 1000)
 
 
 class Addresses(unittest.TestCase):

@@ -12,9 +12,11 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 sys.path.insert(0, os.path.join(ROOT, "naoqi_api", "sdk", "python"))
 
+from usarnaoqi_sdk import finder  # noqa: E402
 from usarnaoqi_sdk.encoding import encode  # noqa: E402
 from usarnaoqi_sdk.message import Kind, Message, Splitter  # noqa: E402
 
+finder.install()
 Recorded = namedtuple("Recorded", "sender message data")
 
 

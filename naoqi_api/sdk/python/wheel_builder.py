@@ -1,5 +1,6 @@
 """Lets `pip install naoqi_api/sdk/python` work without a network: makes the wheel, a zip file of
-the modules and three lines of metadata (Python's PEP 427 and PEP 517)."""
+the modules and three lines of metadata (Python's PEP 427 and PEP 517). A .pth file, which Python
+reads at its start, lets every program find `naoqi`, `qi` and the others."""
 
 import base64
 import hashlib
@@ -7,8 +8,8 @@ import os
 import zipfile
 
 NAME, VERSION = "usarnaoqi_sdk", "0.1"
-MODULES = ["naoqi.py", "vision_definitions.py"]
 PACKAGES = ["usarnaoqi_sdk", "usarnaoqi_behavior"]
+START = ("usarnaoqi_sdk.pth", b"import usarnaoqi_sdk.finder; usarnaoqi_sdk.finder.install()\n")
 INFO = "%s-%s.dist-info" % (NAME, VERSION)
 METADATA = """Metadata-Version: 2.1
 Name: usarnaoqi-sdk
@@ -26,7 +27,8 @@ Tag: py3-none-any
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     """The hook that pip calls, in this folder; returns the wheel's file name."""
-    files = {path: _read(path) for path in MODULES + _packageFiles()}
+    files = {path: _read(path) for path in _packageFiles()}
+    files[START[0]] = START[1]
     files[INFO + "/METADATA"] = METADATA.encode()
     files[INFO + "/WHEEL"] = WHEEL.encode()
     record = "".join("%s,sha256=%s,%d\n" % (path, _digest(data), len(data))
@@ -40,8 +42,9 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
 
 
 def _packageFiles():
-    return sorted("%s/%s" % (package, name) for package in PACKAGES
-                  for name in os.listdir(package) if name.endswith(".py"))
+    return sorted("%s/%s" % (folder, name) for package in PACKAGES
+                  for folder, _, names in os.walk(package)
+                  for name in names if name.endswith(".py"))
 
 
 def _read(path):

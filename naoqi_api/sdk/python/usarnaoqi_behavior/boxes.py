@@ -8,7 +8,7 @@ import time
 import traceback
 from typing import Any, Callable, Dict, List, Optional
 
-from naoqi import ALProxy
+from usarnaoqi_sdk.al import ALProxy
 from usarnaoqi_sdk import Session
 
 from .project import ON_LOAD, ON_START, ON_STOP, OUTSIDE, Box, Diagram

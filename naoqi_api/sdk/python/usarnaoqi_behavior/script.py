@@ -5,7 +5,7 @@ import re
 import sys
 from typing import Any, Callable, Dict, Optional, Type
 
-from naoqi import ALProxy
+from usarnaoqi_sdk.al import ALProxy
 from usarnaoqi_sdk import Session
 
 

@@ -6,13 +6,23 @@
         motion = session.service("ALMotion")
         motion.setAngles("HeadYaw", 0.5, 0.1)
 
-The `naoqi` module beside this package offers the same under Aldebaran's names (ALProxy).
+The modules `naoqi`, `qi`, `almath`, `motion` and `vision_definitions`, which finder.py offers, have
+the same under the names that programs use.
 """
 
-from .errors import CallError, ConnectionLost, ConversionError, DecodeError, QiError
-from .future import Future
-from .remote_object import RemoteObject
-from .session import Session
+import importlib
+from typing import Any
 
-__all__ = ["CallError", "ConnectionLost", "ConversionError", "DecodeError", "Future", "QiError",
-           "RemoteObject", "Session"]
+_HOMES = {"CallError": "errors", "ConnectionLost": "errors", "ConversionError": "errors",
+          "DecodeError": "errors", "QiError": "errors", "Future": "future", "Promise": "future",
+          "Property": "signals", "RemoteObject": "remote_object", "Session": "session",
+          "Signal": "signals"}
+
+__all__ = sorted(_HOMES)
+
+
+def __getattr__(name: str) -> Any:
+    """Loads what is asked for: the finder, which every start of Python loads, stays light."""
+    if name not in _HOMES:
+        raise AttributeError("module '%s' has no attribute '%s'" % (__name__, name))
+    return getattr(importlib.import_module("." + _HOMES[name], __name__), name)

@@ -1,18 +1,17 @@
 """One socket: sends messages, and one thread reads the answers and the events."""
 
 import itertools
-import queue
 import socket
 import threading
-import traceback
 from collections import deque
-from typing import Any, Callable, Dict, Tuple
+from typing import Any, Callable, Dict, Optional, Tuple
 
 from .decoding import ObjectReader, decode
 from .encoding import encode
 from .errors import CallError, ConnectionLost, DecodeError, QiError
 from .future import Future
 from .message import FLAG_DYNAMIC, Kind, Message, Splitter
+from .pool import runSafely
 
 TERMINATE = 3
 CANNOT_HANDLE = "The call request could not be handled."
@@ -22,7 +21,8 @@ Address = Tuple[int, int, int]  # service, object, action
 
 class Connection:
     """Thread-safe. Calls made here are matched to their answers by number; events go to their
-    subscribers on a thread of their own, so that those may call services in turn."""
+    subscribers on the reader's thread, which must not wait. Calls that come from the other side go
+    to `host`, which is called as host(connection, message)."""
 
     def __init__(self, sock: socket.socket):
         self._socket = sock
@@ -33,8 +33,8 @@ class Connection:
         self._subscribers: Dict[Address, Tuple[str, Callable[..., None]]] = {}
         self._lost = ""
         self._discarded: deque = deque()
-        self._events: queue.SimpleQueue = queue.SimpleQueue()
-        self._event_thread = None
+        self.on_lost: Callable[[str], None] = lambda reason: None
+        self.host: Optional[Callable[["Connection", Message], None]] = None
         self.peer_capabilities: Dict[str, Any] = {}
         self.read_object: ObjectReader = _noObjects
         threading.Thread(target=self._read, name="qi reader", daemon=True).start()
@@ -55,6 +55,21 @@ class Connection:
         """Sends a call that nobody answers."""
         self._send(Message(Kind.POST, next(self._ids), service, obj, action, payload))
 
+    def emit(self, service: int, obj: int, action: int, payload: bytes) -> None:
+        """Tells the other side, which subscribed, of an event of an object hosted here."""
+        self._send(Message(Kind.EVENT, next(self._ids), service, obj, action, payload))
+
+    def answer(self, request: Message, payload: bytes, kind: Kind = Kind.REPLY,
+               flags: int = 0) -> None:
+        """Answers a call of the other side; a post is not answered."""
+        if request.kind == Kind.CALL:
+            self._send(request._replace(kind=kind, flags=flags, payload=payload))
+
+    def decode(self, signature: str, message: Message) -> Any:
+        """The content of a message, of that signature unless the message says otherwise."""
+        dynamic = message.flags & FLAG_DYNAMIC
+        return decode("m" if dynamic else signature, message.payload, self.read_object)
+
     def sendCapabilities(self, capabilities: Dict[str, Any]) -> None:
         payload = encode("{sm}", capabilities)
         self._send(Message(Kind.CAPABILITY, next(self._ids), 0, 0, 0, payload))
@@ -63,10 +78,6 @@ class Connection:
         """Events of `address` call `callback(*arguments)` from now on."""
         with self._lock:
             self._subscribers[address] = (signature, callback)
-            if not self._event_thread:
-                self._event_thread = threading.Thread(target=self._deliver, name="qi events",
-                                                      daemon=True)
-                self._event_thread.start()
 
     def unsubscribe(self, address: Address) -> None:
         with self._lock:
@@ -123,12 +134,13 @@ class Connection:
                 address = (message.service, message.object, message.action)
                 subscriber = self._subscribers.get(address)
             if subscriber:
-                self._events.put((subscriber, message))
+                self._deliver(message, *subscriber)
         elif message.kind == Kind.CAPABILITY:
             self.peer_capabilities.update(decode("{sm}", message.payload))
+        elif self.host:
+            self.host(self, message)
         elif message.kind == Kind.CALL:  # nothing lives at this end
-            self._send(message._replace(kind=Kind.ERROR, flags=0,
-                                        payload=encode("m", CANNOT_HANDLE)))
+            self.answer(message, encode("m", CANNOT_HANDLE), Kind.ERROR)
 
     def _answer(self, future: Future, returns: str, message: Message) -> None:
         if message.kind == Kind.CANCELED:
@@ -136,28 +148,16 @@ class Connection:
         try:
             if message.kind == Kind.ERROR:
                 return future.setError(CallError(str(decode("m", message.payload))))
-            future.setValue(self._decode(returns, message))
+            future.setValue(self.decode(returns, message))
         except DecodeError as error:
             future.setError(error)
 
-    def _decode(self, signature: str, message: Message) -> Any:
-        dynamic = message.flags & FLAG_DYNAMIC
-        return decode("m" if dynamic else signature, message.payload, self.read_object)
-
-    def _deliver(self) -> None:
-        while True:
-            event = self._events.get()
-            if event is None:
-                return
-            (signature, callback), message = event
-            try:
-                arguments = self._decode(signature, message)
-            except DecodeError:
-                continue  # one event lost; the connection itself is sound
-            try:
-                callback(*arguments)
-            except Exception:  # the subscriber's own mistake: shown, and the next event goes on
-                traceback.print_exc()
+    def _deliver(self, message: Message, signature: str, callback: Callable[..., None]) -> None:
+        try:
+            arguments = self.decode(signature, message)
+        except DecodeError:
+            return  # one event lost; the connection itself is sound
+        runSafely(lambda: callback(*arguments))
 
     def _lose(self, reason: str) -> None:
         with self._lock:
@@ -165,7 +165,6 @@ class Connection:
                 return
             self._lost = reason
             pending, self._pending = self._pending, {}
-        self._events.put(None)
         try:
             self._socket.shutdown(socket.SHUT_RDWR)
         except OSError:
@@ -173,6 +172,7 @@ class Connection:
         self._socket.close()
         for future, _ in pending.values():
             future.setError(ConnectionLost(reason))
+        self.on_lost(reason)
 
 
 def _noObjects(_reader: Any) -> Any:

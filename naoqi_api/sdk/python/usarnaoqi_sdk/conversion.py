@@ -7,7 +7,7 @@ of a list's items, so that a long list is not a bad one. The penalties are those
 import numbers
 from typing import Any, Tuple
 
-from .encoding import Typed, signatureOf
+from .encoding import Reference, Typed, signatureOf
 from .errors import ConversionError
 from .signature import Type, parse
 
@@ -57,6 +57,8 @@ def fit(node: Type, value: Any) -> Tuple[float, Any]:
         return _fitMap(node, value)
     if kind == "+":
         return (1.0, None) if value is None else fit(node.items[0], value)
+    if kind == "o":
+        return (1.0, value) if isinstance(value, Reference) else _IMPOSSIBLE
     return (1.0, None) if kind in "v_" and value is None else _IMPOSSIBLE
 
 

@@ -24,6 +24,13 @@ class Typed(NamedTuple):
     value: Any
 
 
+class Reference:
+    """An object hosted at this end, ready to travel: its metaobject, numbers and uid as bytes."""
+
+    def __init__(self, data: bytes):
+        self.data = data
+
+
 def encode(signature: str, value: Any) -> bytes:
     """The bytes of `value` as `signature`. Raises ConversionError if they do not match."""
     out = bytearray()
@@ -39,6 +46,8 @@ def signatureOf(value: Any) -> str:
     """The signature with which `value` travels in a dynamic."""
     if isinstance(value, Typed):
         return value.signature
+    if isinstance(value, Reference):
+        return "o"
     if isinstance(value, tuple):
         return "(" + "m" * len(value) + ")"
     for python_type, signature in ((bool, "b"), (int, "l"), (float, "d"), (str, "s"),
@@ -66,6 +75,8 @@ def _put(out: bytearray, node: Type, value: Any) -> None:
             _put(out, item, part)
     elif kind == "m":
         _putDynamic(out, value)
+    elif kind == "o":
+        out += value.data
     elif kind == "+":
         out.append(value is not None)
         if value is not None:

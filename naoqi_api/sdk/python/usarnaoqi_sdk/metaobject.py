@@ -37,6 +37,7 @@ class MetaObject:
     """Finds the members of an object by name. Immutable."""
 
     def __init__(self, value: Any):
+        self.raw = value  # as it came
         methods, signals, properties, self.description = value
         self.methods = [Method(*fields) for fields in methods.values()]
         self.signals = {member.name: member for member in map(_member, signals.values())}

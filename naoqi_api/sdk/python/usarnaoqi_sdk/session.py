@@ -4,21 +4,23 @@ import functools
 import os
 import socket
 import threading
-from typing import Any, Dict, List, NamedTuple, Optional, Tuple
+from typing import Any, Callable, Dict, List, NamedTuple, Optional, Tuple
 
+from .address import DEFAULT_PORT
 from .connection import Connection
 from .encoding import encode
 from .errors import CallError, ConnectionLost, DecodeError
+from .hosted import Host, HostedObject
 from .remote_object import RemoteObject, fetchObject, readObject
+from .signature import parse
 
-DEFAULT_PORT = 9559
 CONNECT_TIMEOUT = 5.0  # s
 AUTHENTICATE = 8
 AUTH_STATE, AUTH_DONE = "__qi_auth_state", 3
 SERVICE_DIRECTORY = 1
 CREDENTIALS = ("USARNAOQI_USER", "USARNAOQI_TOKEN")
 # A capability counts only if both ends have it. Ours are those the package understands.
-CAPABILITIES = {"ClientServerSocket": False, "MessageFlags": True, "MetaObjectCache": False,
+CAPABILITIES = {"ClientServerSocket": True, "MessageFlags": True, "MetaObjectCache": False,
                 "ObjectPtrUID": True, "RelativeEndpointURI": True, "RemoteCancelableCalls": True}
 
 
@@ -41,6 +43,7 @@ class Session:
             user, token = (os.environ.get(name, "") for name in CREDENTIALS)
         self._credentials = {"auth_user": user, "auth_token": token} if user or token else {}
         self._lock = threading.Lock()
+        self.host = Host()
         self._services: Dict[str, RemoteObject] = {}
         self._address = parseAddress(address)
         self._connections = {self._address: self._open(self._address)}
@@ -67,6 +70,26 @@ class Session:
 
     def services(self) -> List[ServiceInfo]:
         return [ServiceInfo(*fields) for fields in self._directory.call("services")]
+
+    def registerService(self, name: str, target: Any) -> int:
+        """Makes `target`, any Python object, a service for everybody: its methods, and those of its
+        attributes that are signals and properties. Calls come through the directory's connection.
+        Returns its number. Raises CallError if the name is taken."""
+        hosted = HostedObject(target)
+        fields = (name, 0, self._directory.call("machineId"), os.getpid(), [], "0", "")
+        (info,) = parse(self._directory.meta.overloads("registerService")[0].arguments).items
+        number = self._directory.call("registerService", fields[:len(info.items)])
+        self.host.add(number, hosted)
+        self._directory.call("serviceReady", number)
+        return number
+
+    def unregisterService(self, number: int) -> None:
+        self._directory.call("unregisterService", number)
+        self.host.remove(number)
+
+    def whenLost(self, job: Callable[[str], None]) -> None:
+        """Calls `job(reason)` once the connection to the directory has ended."""
+        self._main.on_lost = job
 
     def isConnected(self) -> bool:
         return self._main.isOpen()
@@ -104,6 +127,7 @@ class Session:
         sock.settimeout(None)
         sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         connection = Connection(sock)
+        connection.host = self.host
         try:
             self._authenticate(connection)
         except (CallError, DecodeError):

@@ -1,0 +1,13 @@
+"""Aldebaran's client module, over the same wire: programs written for a Nao run unchanged.
+
+    from naoqi import ALProxy
+    motion = ALProxy("ALMotion", "127.0.0.1", 9559)
+    task = motion.post.moveTo(0.3, 0.0, 0.0)   # returns at once
+    motion.wait(task, 0)
+"""
+
+from usarnaoqi_sdk.al import (ALBehavior, ALBroker, ALDocable, ALModule, ALProxy, autoBind,
+                              createModule)
+
+__all__ = ["ALBehavior", "ALBroker", "ALDocable", "ALModule", "ALProxy", "autoBind",
+           "createModule"]
