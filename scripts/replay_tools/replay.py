@@ -12,7 +12,7 @@ from documented import Documented, misfit
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..",
                                 "naoqi_api", "sdk", "python"))
 
-from naoqi import ALProxy  # noqa: E402
+from usarnaoqi_sdk.al import ALProxy  # noqa: E402
 from usarnaoqi_sdk import Session  # noqa: E402
 
 # What a robot refuses too, by program and call: faults of the programs.

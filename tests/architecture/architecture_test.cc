@@ -99,5 +99,20 @@ TEST(Architecture, NaoQiServicesNeverSeeTheTruth) {
   }
 }
 
+// Tests run side by side: a file of one name for all would be another test's.
+TEST(Architecture, TestsWriteIntoTheirOwnFolders) {
+  const fs::path root = fs::path(NAO_SOURCE_DIR) / "tests";
+  for (const auto& entry : fs::recursive_directory_iterator(root)) {
+    const fs::path file = entry.path();
+    if (file.extension() != ".cc" || file.parent_path().filename() == "architecture") continue;
+    std::ifstream in(file);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    for (const char* shared : {"TempDir()", "temp_directory_path()"}) {
+      EXPECT_EQ(text.find(shared), std::string::npos)
+          << file << ": use tests/core/temporary_folder.h";
+    }
+  }
+}
+
 }  // namespace
 }  // namespace nao

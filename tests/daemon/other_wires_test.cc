@@ -1,18 +1,16 @@
 // The daemon's wires beside plain qi, on loopback: TLS, msgpack-RPC, HTTP with qi.js.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <boost/asio/connect.hpp>
 #include <boost/asio/ssl.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
-#include <filesystem>
-#include <fstream>
 
 #include "core/check.h"
 #include "naoqi_api/wire/msgpack_codec.h"
+#include "tests/core/temporary_folder.h"
 #include "tests/daemon/running_daemon.h"
 #include "tests/daemon/tcp_client.h"
 
@@ -33,7 +31,8 @@ Options everyWire() {
   options.msgpack_port = 0;
   options.http_port = 0;
   options.pages = NAO_SOURCE_DIR "/naoqi_api/sdk/js";
-  options.tls_dir = testing::TempDir() + "tls_" + std::to_string(::getpid());
+  static const TemporaryFolder keys;  // one key for all: making one takes a while
+  options.tls_dir = keys.path();
   return options;
 }
 
@@ -224,12 +223,10 @@ TEST(Security, BeyondThisMachineNeedsAuthOrInsecure) {
 }
 
 TEST(Security, EveryWireAsksForTheToken) {
-  const std::string file = testing::TempDir() + "auth_" + std::to_string(::getpid());
-  std::ofstream(file) << "nao secret\n";
+  const TemporaryFolder folder;
   Options options = everyWire();
-  options.auth = file;
+  options.auth = folder.write("auth", "nao secret\n");
   Running running(options);
-  std::filesystem::remove(file);
   TcpClient client(running.port());
   const Value refused = client.answer(client.call({1, 1, 100}, Value::tuple({"ALMotion"})), "m");
   EXPECT_EQ(*refused.findText(), "The call request could not be handled.");

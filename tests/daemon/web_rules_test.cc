@@ -1,10 +1,8 @@
 #include "daemon/web_rules.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <cstdio>
-#include <fstream>
+#include "tests/core/temporary_folder.h"
 
 namespace nao::daemon {
 namespace {
@@ -31,10 +29,8 @@ TEST(WebRules, OnlyOwnPagesAndThoseNamedAreAnOrigin) {
 }
 
 TEST(WebRules, AuthorizationIsAUserAndToken) {
-  const std::string path = testing::TempDir() + "web_" + std::to_string(::getpid());
-  std::ofstream(path) << "nao secret\n";
-  const auto credentials = rpc::Credentials::load(path);
-  std::remove(path.c_str());
+  const TemporaryFolder folder;
+  const auto credentials = rpc::Credentials::load(folder.write("auth", "nao secret\n"));
   EXPECT_TRUE(isAuthorized("Basic bmFvOnNlY3JldA==", credentials));  // nao:secret
   for (const char* header : {"", "Basic", "Basic ", "Basic bmFv", "Basic bmFvOndyb25n",
                              "Bearer bmFvOnNlY3JldA==", "Basic ####"}) {

@@ -1,12 +1,9 @@
 #include "naoqi_api/credentials.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <cstdio>
-#include <fstream>
 
 #include "core/check.h"
+#include "tests/core/temporary_folder.h"
 #include "tests/naoqi_api/test_client.h"
 
 namespace nao::wire {
@@ -15,14 +12,11 @@ namespace {
 /// A file that goes with the test.
 class TextFile {
  public:
-  explicit TextFile(const std::string& text)
-      : path_(testing::TempDir() + "auth_" + std::to_string(::getpid())) {
-    std::ofstream(path_) << text;
-  }
-  ~TextFile() { std::remove(path_.c_str()); }
+  explicit TextFile(const std::string& text) : path_(folder_.write("auth", text)) {}
   const std::string& path() const { return path_; }
 
  private:
+  TemporaryFolder folder_;
   std::string path_;
 };
 

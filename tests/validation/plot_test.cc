@@ -1,19 +1,16 @@
 #include "validation/plot.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "core/check.h"
+#include "tests/core/temporary_folder.h"
 
 namespace nao::validation {
 namespace {
-
-namespace fs = std::filesystem;
 
 Picture twoPanels() {
   Panel left = makePanel("It's a line", "time [s]", "angle [deg]");
@@ -31,12 +28,10 @@ class Plot : public testing::Test {
     if (std::system("command -v gnuplot >/dev/null 2>&1") != 0) {
       GTEST_SKIP() << "gnuplot is not installed: pictures are not drawn here";
     }
-    fs::create_directory(folder_);
   }
-  void TearDown() override { fs::remove_all(folder_); }
-  std::string file(const char* name) const { return (folder_ / name).string(); }
+  std::string file(const char* name) const { return folder_.path() + "/" + name; }
 
-  fs::path folder_ = fs::temp_directory_path() / ("plot_test_" + std::to_string(getpid()));
+  TemporaryFolder folder_;
 };
 
 std::string contents(const std::string& file) {

@@ -1,11 +1,10 @@
 #include "validation/diagnosis/ensemble.h"
 
-#include "core/check.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "core/check.h"
 #include "core/random.h"
 #include "validation/diagnosis/joint_data.h"
 

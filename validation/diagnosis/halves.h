@@ -32,6 +32,7 @@ class Explained {
   Explained(const Halves& change, const Eigen::VectorXd& residual);
 
   double square() const { return square_; }  // of the change
+  double along() const { return along_; }    // change times residual
   /// By this many times the change.
   double gain(double scale = 1) const { return scale * along_ - scale * scale * square_ / 2; }
   /// At which that is most.

@@ -34,7 +34,7 @@ std::vector<SharedLook> sharedLooks(const Searches& searches) {
       sum.cause = look.cause;
       sum.x = look.x[0];
       const Explained explained(look.white, white);
-      sum.along += explained.bestScale() * explained.square();
+      sum.along += explained.along();
       sum.square += explained.square();
       sum.lower = std::max(sum.lower, look.lower);
       sum.upper = std::min(sum.upper, look.upper);

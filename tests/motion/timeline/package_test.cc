@@ -1,12 +1,10 @@
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-
 #include "core/check.h"
 #include "motion/timeline/motion_file.h"
 #include "motion/timeline/pml.h"
 #include "motion/timeline/xar.h"
+#include "tests/core/temporary_folder.h"
 #include "tests/motion/test_robot.h"
 
 namespace nao::motion {
@@ -38,15 +36,13 @@ std::string errorOf(const std::string& text) {
 }
 
 TEST(Pml, ThePackagesBehaviorIsPlayed) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "nao_pml_test";
-  std::filesystem::create_directories(folder / "nod");
-  std::ofstream(folder / "nod" / "behavior.xar") << nod("");
-  std::ofstream(folder / "p.pml") << package(
-      "<BehaviorDescription name=\"b\" src=\"nod\" xar=\"behavior.xar\"/>");
+  const TemporaryFolder folder;
+  folder.write("nod/behavior.xar", nod(""));
+  const std::string file = folder.write(
+      "p.pml", package("<BehaviorDescription name=\"b\" src=\"nod\" xar=\"behavior.xar\"/>"));
   const auto robot = makeTestRobot();
-  EXPECT_NEAR(loadMotion(folder / "p.pml", *robot).length, 1.5, kExact);
-  EXPECT_NEAR(loadMotion(folder / "nod", *robot).length, 1.5, kExact);
-  std::filesystem::remove_all(folder);
+  EXPECT_NEAR(loadMotion(file, *robot).length, 1.5, kExact);
+  EXPECT_NEAR(loadMotion(folder.path() + "/nod", *robot).length, 1.5, kExact);
 }
 
 TEST(Pml, WhatIsWrongIsToldWithItsLine) {

@@ -1,26 +1,19 @@
 #include <fstream>
 
 #include "naoqi_api/voice/voice.h"
+#include "tests/core/temporary_folder.h"
 #include "tests/naoqi_api/services/services_bench.h"
 
 namespace nao::services {
 namespace {
 
-namespace fs = std::filesystem;
 using rpc::Value;
 
 /// Services whose clients may keep files.
-class ClientFiles : public ServicesBench {
+class ClientFiles : TemporaryFolder, public ServicesBench {
  protected:
-  ClientFiles() : ServicesBench(makeFolder()) {}
-  ~ClientFiles() override { fs::remove_all(data_dir_); }
+  ClientFiles() : ServicesBench(TemporaryFolder::path()) {}
 
-  static fs::path makeFolder() {
-    const fs::path folder = fs::path(testing::TempDir()) / "nao_client_files_test";
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-    return folder;
-  }
   std::string content(const std::string& name) const {
     std::ifstream file(data_dir_ / name, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "naoqi_api/call_error.h"
+#include "tests/core/temporary_folder.h"
 
 namespace nao::services {
 namespace {
@@ -16,13 +16,12 @@ using rpc::CallError;
 class DataFiles : public testing::Test {
  protected:
   DataFiles() {
-    fs::remove_all(folder_);
     fs::create_directories(folder_ / "inside");
-    std::ofstream(folder_.parent_path() / "outside.wav") << "x";
+    place_.write("outside.wav", "x");
   }
-  ~DataFiles() override { fs::remove_all(folder_.parent_path()); }
 
-  fs::path folder_ = fs::path(testing::TempDir()) / "nao_data_files_test" / "data";
+  TemporaryFolder place_;
+  fs::path folder_ = fs::path(place_.path()) / "data";
 };
 
 TEST_F(DataFiles, AbsoluteNamesLeadBelowTheFolderToo) {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 
+#include "tests/core/temporary_folder.h"
 #include "tests/support/models.h"
 #include "validation/diagnosis/replay.h"
 #include "validation/log/simulated_recording.h"
@@ -54,15 +54,15 @@ TEST(Empirical, ATorqueWithoutANameIsPredictedWhereItWasNotFitted) {
 }
 
 TEST(Empirical, ReadsTheSignaturesOfAReport) {
-  const std::string file = testing::TempDir() + "/empirical_report.json";
-  std::ofstream(file) << R"json({"joints": [
+  const TemporaryFolder folder;
+  const std::string file = folder.write("report.json", R"json({"joints": [
     {"joint": "A", "signature": "sin and cos of 18 q (62 %), then v|v| (8 %)"},
-    {"joint": "B", "signature": ""}]})json";
+    {"joint": "B", "signature": ""}]})json");
   const auto unknowns = unknownJoints(file);
   ASSERT_EQ(unknowns.size(), 1u);
   EXPECT_EQ(unknowns[0].joint, "A");
   EXPECT_EQ(unknowns[0].features, (std::vector<std::string>{"sin and cos of 18 q", "v|v|"}));
-  std::ofstream(file) << R"({"joints": []})";
+  folder.write("report.json", R"({"joints": []})");
   EXPECT_THROW(unknownJoints(file), InputError);
 }
 

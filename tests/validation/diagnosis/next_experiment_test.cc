@@ -2,10 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "core/check.h"
 #include "motion/timeline/motion_file.h"
+#include "tests/core/temporary_folder.h"
 #include "tests/support/models.h"
 
 namespace nao::validation {
@@ -35,24 +34,26 @@ TEST(NextExperiment, TakesTheMotionThatSeparatesMost) {
 TEST(NextExperiment, WritesAMotionThatPlays) {
   const auto model = nao::test::robot("nao_h21_v33");
   const auto motions = candidateMotions(model, *model->findJoint("LKneePitch"));
-  const std::string file = testing::TempDir() + "/next.motion";
+  const TemporaryFolder folder;
+  const std::string file = folder.path() + "/next.motion";
   writeMotion(motions.front(), *model, file);
   const motion::Timeline timeline = motion::loadMotion(file, *model);
   EXPECT_FALSE(timeline.curves.empty());
 }
 
 TEST(NextExperiment, ReadsWhatAReportCouldNotDecide) {
-  const std::string file = testing::TempDir() + "/plan_report.json";
-  std::ofstream(file) << R"({"joints": [{"joint": "pendulum", "findings": [
+  const TemporaryFolder folder;
+  const std::string file =
+      folder.write("report.json", R"({"joints": [{"joint": "pendulum", "findings": [
     {"cause": "torque_bias", "effect": "torque_bias", "experiment": "turn the base",
      "numbers": [{"parameter": "torque", "value": 0.02}],
      "rivals": [{"cause": "encoder_offset", "numbers": [{"parameter": "angle", "value": 0.1}]}]}
-  ]}]})";
+  ]}]})");
   const auto found = ambiguousJoints(file, *pendulum());
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].causes, (std::vector<std::string>{"torque_bias", "encoder_offset"}));
   EXPECT_DOUBLE_EQ(found[0].settings[1].parameters.at("angle"), 0.1);
-  std::ofstream(file) << R"({"joints": []})";
+  folder.write("report.json", R"({"joints": []})");
   EXPECT_THROW(ambiguousJoints(file, *pendulum()), InputError);
 }
 
