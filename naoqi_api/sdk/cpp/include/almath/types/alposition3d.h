@@ -1,0 +1,54 @@
+#pragma once
+
+#include <vector>
+
+#include <almath/types/alvectorspace.h>
+
+namespace AL {
+namespace Math {
+
+/// A point in space [m].
+struct Position3D : detail::VectorSpace<Position3D, 3> {
+  float x;
+  float y;
+  float z;
+
+  Position3D() : x(0), y(0), z(0) {}
+  explicit Position3D(float all) : x(all), y(all), z(all) {}
+  Position3D(float its_x, float its_y, float its_z) : x(its_x), y(its_y), z(its_z) {}
+  /// @throws std::runtime_error unless there are 3 numbers.
+  explicit Position3D(const std::vector<float>& numbers) { read(numbers); }
+
+  float dotProduct(const Position3D& other) const {
+    return x * other.x + y * other.y + z * other.z;
+  }
+  Position3D crossProduct(const Position3D& other) const {
+    return Position3D(y * other.z - z * other.y, z * other.x - x * other.z,
+                      x * other.y - y * other.x);
+  }
+  /// @throws std::runtime_error for a vector without length.
+  Position3D normalize() const { return *this / norm(); }
+  float distanceSquared(const Position3D& other) const {
+    return (*this - other).dotProduct(*this - other);
+  }
+  float distance(const Position3D& other) const { return (*this - other).norm(); }
+
+  static float Position3D::*field(int i) {
+    static float Position3D::*const kFields[] = {&Position3D::x, &Position3D::y, &Position3D::z};
+    return kFields[i];
+  }
+};
+
+inline float norm(const Position3D& p) { return p.norm(); }
+inline Position3D normalize(const Position3D& p) { return p.normalize(); }
+inline float distance(const Position3D& a, const Position3D& b) { return a.distance(b); }
+inline float distanceSquared(const Position3D& a, const Position3D& b) {
+  return a.distanceSquared(b);
+}
+inline float dotProduct(const Position3D& a, const Position3D& b) { return a.dotProduct(b); }
+inline Position3D crossProduct(const Position3D& a, const Position3D& b) {
+  return a.crossProduct(b);
+}
+
+}  // namespace Math
+}  // namespace AL

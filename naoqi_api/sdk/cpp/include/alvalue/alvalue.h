@@ -1,0 +1,140 @@
+#pragma once
+
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <usarnaoqi_sdk/export.h>
+
+namespace AL {
+
+/// NaoQi's value of any type: nothing, a bool, an int, a float, a text, bytes, or an array of such
+/// values. Numbers and bools turn into each other when read, a text is never a number; reading a
+/// value as something it can not be throws ALError.
+class USARNAOQI_SDK_API ALValue {
+ public:
+  enum Type {
+    TypeInvalid,
+    TypeArray,
+    TypeBool,
+    TypeInt,
+    TypeFloat,
+    TypeString,
+    TypeObject,
+    TypeBinary
+  };
+  typedef std::vector<ALValue> TAlValueArray;
+
+  ALValue() : type_(TypeInvalid), number_() {}
+  ALValue(const bool& truth) : type_(TypeBool) { number_.truth = truth; }
+  ALValue(const int& number) : type_(TypeInt) { number_.whole = number; }
+  ALValue(const float& number) : type_(TypeFloat) { number_.real = number; }
+  ALValue(const double& number) : type_(TypeFloat) { number_.real = static_cast<float>(number); }
+  ALValue(const char* text) : type_(TypeString), number_(), text_(text) {}
+  ALValue(const std::string& text) : type_(TypeString), number_(), text_(text) {}
+  /// Bytes, copied.
+  ALValue(const void* bytes, int size) : number_() { SetBinary(bytes, size); }
+  ALValue(const std::vector<ALValue>& items) : type_(TypeArray), number_(), items_(items) {}
+  ALValue(const std::vector<std::string>& items) : number_() { assignAll(items); }
+  ALValue(const std::vector<float>& items) : number_() { assignAll(items); }
+  ALValue(const std::vector<double>& items) : number_() { assignAll(items); }
+  ALValue(const std::vector<int>& items) : number_() { assignAll(items); }
+  ALValue(const std::vector<bool>& items) : number_() { assignAll(items); }
+  template <class T>
+  ALValue(const std::vector<std::vector<T> >& items) : number_() {
+    assignAll(items);
+  }
+
+  /// An array of what is given, each as a value of its own type.
+  template <class... T>
+  static ALValue array(const T&... items) {
+    ALValue made;
+    made.arraySetSize(0);
+    const int all[] = {0, (made.arrayPush(ALValue(items)), 0)...};
+    static_cast<void>(all);
+    return made;
+  }
+
+  Type getType() const { return type_; }
+  bool isValid() const { return type_ != TypeInvalid; }
+  bool isArray() const { return type_ == TypeArray; }
+  bool isBool() const { return type_ == TypeBool; }
+  bool isInt() const { return type_ == TypeInt; }
+  bool isFloat() const { return type_ == TypeFloat; }
+  bool isString() const { return type_ == TypeString; }
+  bool isBinary() const { return type_ == TypeBinary; }
+  bool isObject() const { return type_ == TypeObject; }
+
+  operator bool() const;
+  operator int() const;
+  operator float() const;
+  operator double() const { return asNumber("a number"); }
+  operator const std::string&() const;
+  operator std::vector<std::string>() const { return asVector<std::string>(); }
+  operator std::vector<float>() const { return asVector<float>(); }
+  operator std::vector<int>() const { return asVector<int>(); }
+  operator std::vector<ALValue>() const { return asVector<ALValue>(); }
+
+  /// Items of an array, bytes of a binary, 1 of any other value, 0 of none.
+  unsigned int getSize() const;
+  /// An invalid value becomes an array; one of another type throws. Items that are added are
+  /// invalid.
+  void arraySetSize(int size);
+  void arrayReserve(int size) { items_.reserve(static_cast<std::size_t>(size)); }
+  void arrayPush(const ALValue& item);
+  void arrayPopFront();
+  void arrayRemove(int index);
+  /// The item at `index`. The writable form makes an array of an invalid value, and room for it.
+  ALValue& operator[](int index);
+  const ALValue& operator[](int index) const;
+
+  /// Bytes: copied, kept as they are (whoever passes them keeps them alive), or asked for.
+  void SetBinary(const void* bytes, int size);
+  void SetBinaryNoCopy(const void* bytes, int size);
+  void SetBinary(std::shared_ptr<const void> bytes, int size);
+  const void* GetBinary() const;
+
+  void clear() { *this = ALValue(); }
+
+  /// As text: [1, "a", 0.5].
+  std::string toString() const;
+
+  bool operator==(const ALValue& other) const;
+  bool operator!=(const ALValue& other) const { return !(*this == other); }
+
+ private:
+  union Number {
+    Number() : whole(0) {}
+    bool truth;
+    int whole;
+    float real;
+  };
+
+  double asNumber(const char* wanted) const;
+  void fail(const char* wanted) const;
+
+  template <class T>
+  std::vector<T> asVector() const {
+    std::vector<T> items;
+    if (!isArray()) return items.push_back(static_cast<T>(*this)), items;
+    for (std::size_t i = 0; i < items_.size(); ++i) items.push_back(static_cast<T>(items_[i]));
+    return items;
+  }
+  template <class T>
+  void assignAll(const std::vector<T>& items) {
+    type_ = TypeArray;
+    items_.assign(items.begin(), items.end());
+  }
+
+  Type type_;
+  Number number_;
+  std::string text_;
+  std::vector<ALValue> items_;
+  std::shared_ptr<const void> bytes_;
+  int byte_count_ = 0;
+};
+
+USARNAOQI_SDK_API std::ostream& operator<<(std::ostream& out, const ALValue& value);
+
+}  // namespace AL

@@ -1,0 +1,4 @@
+#pragma once
+
+// The place of NAOqi 1.x.
+#include <alvision/alimage.h>

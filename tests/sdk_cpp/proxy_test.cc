@@ -1,0 +1,129 @@
+// Proxies of a daemon's services, as programs use them.
+
+#include <alcommon/albroker.h>
+#include <alcommon/alproxy.h>
+#include <alproxies/almemoryproxy.h>
+#include <alproxies/almotionproxy.h>
+#include <alproxies/alrobotpostureproxy.h>
+#include <alproxies/altexttospeechproxy.h>
+#include <alproxies/alvideodeviceproxy.h>
+#include <alvision/alimage.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/sdk_cpp/robot_process.h"
+
+namespace nao {
+namespace {
+
+using AL::ALValue;
+
+class ProxyTest : public testing::Test {
+ protected:
+  RobotProcess robot_;
+  const std::string host_ = "127.0.0.1";
+};
+
+// What the head's gear and friction leave of an angle that was reached.
+constexpr float kServo = 0.02F;
+
+TEST_F(ProxyTest, TheHeadGoesWhereItIsTold) {
+  AL::ALMotionProxy motion(host_, robot_.port());
+  motion.stiffnessInterpolation("HeadYaw", 1.0F, 0.1F);
+  motion.angleInterpolation("HeadYaw", ALValue::array(-0.5F, 0.5F), ALValue::array(0.5F, 1.5F),
+                            true);
+  const std::vector<float> angles = motion.getAngles("HeadYaw", true);
+  ASSERT_EQ(angles.size(), 1U);
+  EXPECT_NEAR(angles[0], 0.5F, kServo);
+}
+
+TEST_F(ProxyTest, ListsOfNamesAndAnglesAreVectors) {
+  AL::ALMotionProxy motion(host_, robot_.port());
+  const std::vector<std::string> names = {"HeadYaw", "HeadPitch"};
+  motion.setStiffnesses(names, 1.0F);
+  motion.angleInterpolationWithSpeed(names, std::vector<float>{0.3F, -0.2F}, 0.5F);
+  const std::vector<float> angles = motion.getAngles(names, false);
+  ASSERT_EQ(angles.size(), 2U);
+  EXPECT_NEAR(angles[1], -0.2F, 1e-4F);
+}
+
+TEST_F(ProxyTest, APostedCallIsWaitedFor) {
+  AL::ALMotionProxy motion(host_, robot_.port());
+  motion.setStiffnesses("Head", 1.0F);
+  const int id = motion.post.angleInterpolation("HeadYaw", 0.4F, 1.0F, true);
+  EXPECT_GT(id, 0);
+  EXPECT_FALSE(motion.wait(id, 0));
+  EXPECT_FALSE(motion.isRunning(id));
+  EXPECT_NEAR(motion.getAngles("HeadYaw", false)[0], 0.4F, 1e-4F);
+}
+
+TEST_F(ProxyTest, AGenericProxyCallsByName) {
+  AL::ALProxy motion("ALMotion", host_, robot_.port());
+  EXPECT_TRUE(motion.call<bool>("ping"));
+  EXPECT_EQ(motion.call<std::vector<std::string>>("getBodyNames", std::string("Head")),
+            (std::vector<std::string>{"HeadYaw", "HeadPitch"}));
+  motion.callVoid("setStiffnesses", "Head", 0.5F);
+}
+
+TEST_F(ProxyTest, MemoryGivesBackWhatItWasGiven) {
+  AL::ALMemoryProxy memory(host_, robot_.port());
+  const ALValue value = ALValue::array("a", 1, 2.5F, ALValue::array(true));
+  memory.insertData("Test/Value", value);
+  EXPECT_TRUE(memory.getData("Test/Value") == value) << memory.getData("Test/Value");
+}
+
+TEST_F(ProxyTest, ARobotsRefusalIsAnAlError) {
+  AL::ALMemoryProxy memory(host_, robot_.port());
+  try {
+    memory.getData("No/Such/Key");
+    FAIL();
+  } catch (const AL::ALError& error) {
+    EXPECT_STREQ(error.what(), "\tALMemory::getData\n\tData not found No/Such/Key");
+  }
+}
+
+TEST_F(ProxyTest, AnUnknownServiceIsToldAtOnce) {
+  EXPECT_THROW(AL::ALProxy("ALNoSuch", host_, robot_.port()), AL::ALError);
+}
+
+TEST_F(ProxyTest, NobodyThereIsToldWithTheAddress) {
+  try {
+    AL::ALBroker::createBroker("broker", "0.0.0.0", 0, host_, 1);
+    FAIL();
+  } catch (const AL::ALError& error) {
+    EXPECT_NE(error.toString().find("Cannot connect to tcp://127.0.0.1:1"), std::string::npos);
+  }
+}
+
+TEST_F(ProxyTest, ABrokerMakesProxies) {
+  const auto broker = AL::ALBroker::createBroker("broker", "0.0.0.0", 0, host_, robot_.port(), 0);
+  AL::ALMotionProxy motion(broker);
+  EXPECT_FALSE(motion.robotIsWakeUp());
+  EXPECT_EQ(broker->getMotionProxy()->getBodyNames("Head").size(), 2U);
+  EXPECT_TRUE(broker->isModulePresent("ALMemory"));
+  EXPECT_FALSE(broker->isModulePresent("ALNoSuch"));
+}
+
+TEST_F(ProxyTest, ACameraSendsPictures) {
+  AL::ALVideoDeviceProxy camera(host_, robot_.port());
+  const std::string name =
+      camera.subscribeCamera("test", AL::kTopCamera, AL::kQQVGA, AL::kBGRColorSpace, 30);
+  ALValue picture;
+  while (picture.getSize() < 7) picture = camera.getImageRemote(name);
+  const AL::ALImage image(picture);
+  EXPECT_EQ(image.getWidth(), 160);
+  EXPECT_EQ(image.getHeight(), 120);
+  EXPECT_EQ(image.getSize(), 160 * 120 * 3);
+  camera.unsubscribe(name);
+}
+
+TEST_F(ProxyTest, ALostRobotEndsCallsWithAnError) {
+  AL::ALMotionProxy motion(host_, robot_.port());
+  robot_.process().interrupt();
+  robot_.process().wait();
+  EXPECT_THROW(motion.getSummary(), AL::ALError);
+}
+
+}  // namespace
+}  // namespace nao
