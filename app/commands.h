@@ -8,6 +8,7 @@ namespace nao::app {
 
 /// Each adds one subcommand to the program; it runs while the command line is parsed.
 void addServe(CLI::App& app);
+void addRun(CLI::App& app);
 void addExperiment(CLI::App& app);
 void addEffects(CLI::App& app);
 void addDescribe(CLI::App& app);

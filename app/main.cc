@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer("Start with:  usarnaoqi serve      then connect any NaoQi client to 127.0.0.1:9559.");
   nao::app::addServe(app);
+  nao::app::addRun(app);
   nao::app::addExperiment(app);
   nao::app::addEffects(app);
   nao::app::addDescribe(app);

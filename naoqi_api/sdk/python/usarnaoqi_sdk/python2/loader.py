@@ -1,0 +1,96 @@
+"""Imports of Python 2 modules: what lies outside Python's own folders is converted first."""
+
+import importlib.machinery
+import importlib.util
+import os
+import sys
+import sysconfig
+import tokenize
+from importlib.abc import MetaPathFinder
+from typing import Any, Optional
+
+from .translate import Translator
+
+OWN = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+
+
+class Copies:
+    """Converts files, and keeps what came out in a folder."""
+
+    def __init__(self, folder: str):
+        self._folder = folder
+        self._translator = Translator()
+        self._count = 0
+
+    @property
+    def translator(self) -> Translator:
+        return self._translator
+
+    def compiled(self, path: str) -> Any:
+        """The code of a source file, whose lines are those of the copy. Raises SyntaxError."""
+        with tokenize.open(path) if _saysItsEncoding(path) else open(
+                path, encoding="utf-8", errors="surrogateescape") as file:
+            text = file.read()
+        copy = self.write(path, self._translator.toPython3(text, path))
+        with open(copy, encoding="utf-8", errors="surrogateescape") as file:
+            return compile(file.read(), copy, "exec", dont_inherit=True)
+
+    def write(self, path: str, text: str) -> str:
+        """Each in a folder of its own: names may be the same."""
+        self._count += 1
+        folder = os.path.join(self._folder, str(self._count))
+        os.mkdir(folder)
+        copy = os.path.join(folder, os.path.basename(path))
+        with open(copy, "w", encoding="utf-8", errors="surrogateescape") as file:
+            file.write(text)
+        return copy
+
+
+def _saysItsEncoding(path: str) -> bool:
+    try:
+        with open(path, "rb") as file:
+            encoding, _ = tokenize.detect_encoding(file.readline)
+        with open(path, encoding=encoding) as file:
+            file.read()
+        return True
+    except (SyntaxError, UnicodeDecodeError, LookupError):
+        return False
+
+
+class Loader(importlib.machinery.SourceFileLoader):
+    """Of one converted module."""
+
+    def __init__(self, name: str, path: str, copies: Copies):
+        super().__init__(name, path)
+        self._copies = copies
+
+    def get_code(self, fullname: str) -> Any:
+        return self._copies.compiled(self.path)
+
+
+class Finder(MetaPathFinder):
+    """The first of sys.meta_path: takes over what is the user's."""
+
+    def __init__(self, copies: Copies):
+        self._copies = copies
+        paths = [sysconfig.get_path(name) for name in ("stdlib", "platstdlib", "purelib", "platlib")]
+        self._foreign = [os.path.realpath(path) + os.sep for path in paths + [OWN] if path]
+
+    def find_spec(self, name: str, path: Any = None,
+                  target: Any = None) -> Optional[importlib.machinery.ModuleSpec]:
+        spec = importlib.machinery.PathFinder.find_spec(name, path, target)
+        if not spec or not isinstance(spec.loader, importlib.machinery.SourceFileLoader):
+            return None
+        origin = os.path.realpath(spec.origin or "")
+        if self._isForeign(origin):
+            return None
+        spec.loader = Loader(name, spec.origin or "", self._copies)
+        return spec
+
+    def _isForeign(self, origin: str) -> bool:
+        return any(origin.startswith(folder) for folder in self._foreign) or \
+            "/dist-packages/" in origin or "/site-packages/" in origin
+
+
+def install(copies: Copies) -> None:
+    sys.meta_path.insert(0, Finder(copies))

@@ -1,0 +1,135 @@
+"""almath: laws that its rotations, transforms and poses obey, and the numbers of hand."""
+
+import math
+import unittest
+
+import support  # noqa: F401  # finds the package
+import almath
+
+EXACT = 1e-12  # some roundings of numbers about 1
+ROUND_TRIP = 1e-9  # roundings of an arc function near its steep ends
+SOME = almath.Transform.fromPosition(0.1, -0.2, 0.3, 0.4, -0.5, 2.6)
+OTHER = almath.Transform.fromPosition(-1.0, 2.0, 0.5, -1.1, 0.7, -0.3)
+
+
+class TransformTest(unittest.TestCase):
+    def assertNear(self, a, b, tolerance=EXACT):
+        self.assertTrue(a.isNear(b, tolerance), "%r is not %r" % (a, b))
+
+    def testIsMadeOfAllItsForms(self):
+        self.assertEqual(almath.Transform().toVector()[:6], [1, 0, 0, 0, 0, 1])
+        self.assertEqual(almath.Transform(1, 2, 3).position(), almath.Position3D(1, 2, 3))
+        for numbers in (SOME.toVector(), SOME.toVector()[:12], SOME):
+            self.assertEqual(almath.Transform(numbers), SOME)
+        with self.assertRaises(RuntimeError):
+            almath.Transform([1, 2, 3, 4])
+
+    def testAVectorOfItHasSixteenNumbers(self):
+        self.assertEqual(len(SOME.toVector()), 16)
+        self.assertEqual(list(SOME)[12:], [0, 0, 0, 1])
+
+    def testItsInverseUndoesIt(self):
+        self.assertNear(SOME * SOME.inverse(), almath.Transform())
+        self.assertNear(SOME * SOME.diff(OTHER), OTHER)
+        self.assertNear(almath.transformInverse(SOME * OTHER), OTHER.inverse() * SOME.inverse())
+
+    def testMultipliesPointsAsItself(self):
+        point = almath.Position3D(0.3, 0.2, -0.1)
+        self.assertNear((SOME * OTHER) * point, SOME * (OTHER * point))
+
+    def testInPlaceProductsAreProducts(self):
+        target = almath.Transform(SOME)
+        target *= OTHER
+        self.assertEqual(target, SOME * OTHER)
+        self.assertNotEqual(target, SOME)
+
+    def testPosition6DIsAboutXThenYThenZOfTheFixedFrame(self):
+        self.assertNear(almath.transformFromPosition6D(almath.position6DFromTransform(SOME)), SOME,
+                        ROUND_TRIP)
+        turned = almath.Transform.from3DRotation(math.pi / 2, 0, math.pi / 2)
+        self.assertNear(turned * almath.Position3D(0, 1, 0), almath.Position3D(0, 0, 1))
+        self.assertNear(turned * almath.Position3D(1, 0, 0), almath.Position3D(0, 1, 0))
+
+    def testExponentialAndLogarithmUndoEachOther(self):
+        for transform in (SOME, OTHER, almath.Transform(1, 2, 3), almath.Transform()):
+            velocity = almath.transformLogarithm(transform)
+            self.assertNear(almath.velocityExponential(velocity), transform, ROUND_TRIP)
+
+    def testTheMeanIsAsFarFromBoth(self):
+        mean = almath.transformMean(SOME, OTHER)
+        self.assertNear(SOME.diff(mean), mean.diff(OTHER), ROUND_TRIP)
+
+    def testNormalizingMakesARotationAgain(self):
+        bent = almath.Transform([value * 1.01 for value in SOME.toVector()[:12]])
+        self.assertFalse(bent.isTransform())
+        self.assertTrue(bent.normalizeTransform().isTransform(EXACT))
+
+
+class RotationTest(unittest.TestCase):
+    def testQuaternionsTurnAsMatrices(self):
+        for angles in ((0.1, 0.2, 0.3), (3.0, 0.1, -2.0), (0, 0, math.pi), (math.pi, 0, 0)):
+            rotation = almath.rotationFrom3DRotation(*angles)
+            again = almath.rotationFromQuaternion(almath.quaternionFromRotation(rotation))
+            self.assertTrue(rotation.isNear(again, ROUND_TRIP), angles)
+            self.assertAlmostEqual(rotation.determinant(), 1.0, delta=EXACT)
+
+    def testProductsOfQuaternionsAreProductsOfRotations(self):
+        a, b = (almath.quaternionFromRotation3D(almath.Rotation3D(*angles))
+                for angles in ((0.3, -0.2, 0.9), (1.0, 0.4, -2.0)))
+        product = almath.rotationFromQuaternion(a) * almath.rotationFromQuaternion(b)
+        self.assertTrue(almath.rotationFromQuaternion(a * b).isNear(product, EXACT))
+
+    def testAngleAndAxisComeBack(self):
+        quaternion = almath.quaternionFromAngleAndAxisRotation(0.7, 0.6, 0.0, 0.8)
+        for value, expected in zip(almath.angleAndAxisRotationFromQuaternion(quaternion),
+                                   (0.7, 0.6, 0.0, 0.8)):
+            self.assertAlmostEqual(value, expected, delta=ROUND_TRIP)
+
+    def testAxesMakeRightHandedFrames(self):
+        x, z = almath.Position3D(0, 1, 0), almath.Position3D(0, 0, 1)
+        rotation = almath.rotationFromAxesXZ(x, z)
+        self.assertTrue(rotation.isNear(almath.rotationFromRotZ(math.pi / 2), EXACT))
+
+
+class PoseTest(unittest.TestCase):
+    def testTheMoveBetweenTwoPosesIsInTheFirstOnesFrame(self):
+        start = almath.Pose2D([1.0, 2.0, math.pi / 2])
+        end = almath.Pose2D(1.0, 2.3, math.pi / 2 + 0.1)
+        move = almath.pose2DInverse(start) * end
+        self.assertTrue(move.isNear(almath.Pose2D(0.3, 0.0, 0.1), EXACT), move)
+        self.assertTrue((start * move).isNear(end, EXACT))
+
+    def testIsATransformOfThePlane(self):
+        a, b = almath.Pose2D(0.1, 0.2, 0.3), almath.Pose2D(-1, 2, 1.5)
+        product = almath.transformFromPose2D(a) * almath.transformFromPose2D(b)
+        self.assertTrue(almath.pose2DFromTransform(product).isNear(a * b, ROUND_TRIP))
+
+
+class ToolsTest(unittest.TestCase):
+    def testModuloKeepsTheDirection(self):
+        for angle in (0.0, 1.0, -1.0, 4.0, -4.0, 100.0, -100.0, math.pi):
+            inside = almath.modulo2PI(angle)
+            self.assertTrue(-math.pi < inside <= math.pi)
+            self.assertAlmostEqual(math.cos(inside), math.cos(angle), delta=ROUND_TRIP)
+            self.assertAlmostEqual(math.sin(inside), math.sin(angle), delta=ROUND_TRIP)
+        self.assertEqual(almath.modulo2PI(-math.pi), math.pi)
+
+    def testAMeanAngleLiesBetweenAcrossTheTurn(self):
+        self.assertAlmostEqual(abs(almath.meanAngle([3.1, -3.1])), math.pi, delta=ROUND_TRIP)
+        with self.assertRaises(RuntimeError):
+            almath.meanAngle([0.0, math.pi])
+
+    def testVectorsAddScaleAndCross(self):
+        a, b = almath.Position3D(1, 2, 3), almath.Position3D(-1, 0, 2)
+        self.assertEqual(a + b * 2, almath.Position3D(-1, 2, 7))
+        self.assertEqual(2 * a - a / 2, almath.Position3D(1.5, 3, 4.5))
+        cross = a.crossProduct(b)
+        self.assertEqual((cross.dotProduct(a), cross.dotProduct(b)), (0, 0))
+        with self.assertRaises(RuntimeError):
+            almath.Position3D().normalize()
+        with self.assertRaises(RuntimeError):
+            almath.Position2D(1, 2) + a
+
+
+if __name__ == "__main__":
+    unittest.main()

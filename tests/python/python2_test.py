@@ -1,0 +1,95 @@
+"""Python 2 programs, converted: what they print, where their modules come from, what stays."""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from support import ROOT
+
+SDK = os.path.join(ROOT, "naoqi_api", "sdk", "python")
+
+
+def hasTranslator():
+    found = subprocess.run([sys.executable, "-W", "ignore", "-c",
+                            "from usarnaoqi_sdk.python2.translate import Translator; Translator()"],
+                           env=dict(os.environ, PYTHONPATH=SDK), capture_output=True, check=False)
+    return found.returncode == 0
+
+
+@unittest.skipUnless(hasTranslator(), "this Python has neither lib2to3 nor fissix")
+class Converted(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def write(self, name, text):
+        path = os.path.join(self.folder, name)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        return path
+
+    def run_(self, text, *arguments, code=0):
+        script = self.write("script.py", text)
+        copies = tempfile.TemporaryDirectory()
+        self.addCleanup(copies.cleanup)
+        environment = dict(os.environ, PYTHONPATH=SDK, USARNAOQI_PY2_FOLDER=copies.name,
+                           PYTHONDONTWRITEBYTECODE="1", PYTHONIOENCODING="utf-8")
+        done = subprocess.run([sys.executable, "-m", "usarnaoqi_sdk.python2", script, *arguments],
+                              env=environment, text=True, cwd=self.folder, capture_output=True,
+                              timeout=60, encoding="utf-8", check=False)
+        self.assertEqual(done.returncode, code, done.stderr)
+        self.errors = done.stderr
+        return done.stdout.splitlines()
+
+    def testOldWordsWork(self):
+        self.assertEqual(self.run_(
+            "import sys, Queue\n"
+            "print 'one', `2`,\n"
+            "print >>sys.stdout, u'drei'\n"
+            "try:\n    raise ValueError, 'no'\n"
+            "except ValueError, error:\n    print error\n"
+            "print {1: 2}.has_key(1), map(str, xrange(2)), 0777, 7 <> 8\n"
+            "print sorted([1, 3, 2], lambda a, b: cmp(b, a)), ord(b'a'[0])\n"),
+            ["one 2 drei", "no", "True ['0', '1'] 511 True", "[3, 2, 1] 97"])
+
+    def testWholeNumbersDivideDownwards(self):
+        self.assertEqual(self.run_("a = 9\na /= 2\n"
+                                   "print a, -7 / 2, 7 / 2.0, 640 / 3 * 3, 100 / 3 / 2 % 5, 1 // 2\n"
+                                   "def half(x, y=7 / 2): return (x + y) / 2\n"
+                                   "print half(4)\n"), ["4 -4 3.5 639 1 0", "3"])
+
+    def testUnlessTheFutureIsAskedFor(self):
+        self.assertEqual(self.run_("from __future__ import division, print_function\n"
+                                   "print(1 / 2)\n"), ["0.5"])
+
+    def testTabsAreEightColumns(self):
+        self.assertEqual(self.run_("if True:\n        a = 1\n\tb = 2\n\tprint a + b\n"), ["3"])
+
+    def testImportedModulesAreConvertedToo(self):
+        self.write("helper.py", "print 'helper', 5 / 2\nNAME = __name__\n")
+        self.assertEqual(self.run_("import helper\nprint helper.NAME, __name__\n"),
+                         ["helper 2", "helper __main__"])
+
+    def testArgumentsFileAndExitCodeAreTheScriptsOwn(self):
+        script = os.path.join(self.folder, "script.py")
+        self.assertEqual(self.run_("import sys\nprint sys.argv, __file__\nsys.exit(4)\n", "a", "-b",
+                                   code=4), ["%r %s" % ([script, "a", "-b"], script)])
+
+    def testLinesKeepTheirNumbersAndTheSourceItsText(self):
+        text = "# comment\n\"\"\"doc\"\"\"\nimport sys\n\nprint 1 / 0\n"
+        self.run_(text, code=1)
+        self.assertIn("line 5, in <module>", self.errors)
+        with open(os.path.join(self.folder, "script.py"), encoding="utf-8") as file:
+            self.assertEqual(file.read(), text)
+        self.assertIn("converted by", self.errors)
+
+    def testWhatIsNoPython2EitherIsTold(self):
+        self.run_("print 'a'\ndef (:\n", code=2)
+        self.assertIn("script.py:2: neither Python 3 nor Python 2", self.errors)
+
+
+if __name__ == "__main__":
+    unittest.main()
