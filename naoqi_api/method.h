@@ -58,6 +58,12 @@ struct Method {
   Signature parameters = Signature::of("()");  // of the texts above; Service::add() sets them
   Signature returns = Signature::of("v");
 
+  /// Another type of result: as text and read.
+  void setReturns(std::string signature) {
+    returns = Signature::of(signature);
+    return_signature = std::move(signature);
+  }
+
   /// Converts the arguments as a libqi server would and runs the method. Every CallError becomes
   /// a failed result; nothing is thrown.
   Pending<Value> invoke(const Caller& caller, const std::vector<Value>& arguments_given) const;

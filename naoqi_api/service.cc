@@ -124,8 +124,7 @@ Service& Service::at(std::uint32_t uid) {
 Service& Service::returning(std::string signature, std::string meaning) {
   const auto method = methods_.find(last_uid_);
   NAO_CHECK(method != methods_.end());
-  method->second.returns = Signature::of(signature);
-  method->second.return_signature = std::move(signature);
+  method->second.setReturns(std::move(signature));
   method->second.return_meaning = std::move(meaning);
   return *this;
 }

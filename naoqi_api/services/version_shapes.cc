@@ -30,13 +30,13 @@ void changeResult(Method& method, Then then) {
 }
 
 void tellSuccess(Method& method, const rpc::Personality& /*personality*/) {
-  method.return_signature = "b";
+  method.setReturns("b");
   method.return_meaning = "True: errors come as such.";
   changeResult(method, [](const Value&) { return Value(true); });
 }
 
 void tellNothing(Method& method, const rpc::Personality& /*personality*/) {
-  method.return_signature = "v";
+  method.setReturns("v");
   changeResult(method, [](const Value&) { return Value(); });
 }
 

@@ -21,6 +21,7 @@ class Robot {
     services_.addTo(hub_);
     bench_.run(0.05);
   }
+  const rpc::ServiceHub& hub() const { return hub_; }
   Value call(const std::string& service, const std::string& method,
              const std::vector<Value>& arguments = {}) {
     return bench_.call(*hub_.findService(service), method, arguments);
@@ -56,6 +57,21 @@ TEST(VersionShapes, From28OnMovesTellTheirSuccess) {
   Robot since("2.8");
   EXPECT_TRUE(before.call("ALMotion", "wakeUp").isVoid());
   EXPECT_EQ(since.call("ALMotion", "wakeUp"), Value(true));
+}
+
+// The wire encodes by what was read, clients decode by the text.
+TEST(VersionShapes, TypesThatChangeChangeAsTextAndRead) {
+  for (const char* version : {"1.12", "1.14", "2.1", "2.5", "2.8", "2.9"}) {
+    const Robot robot(version);
+    for (const auto& [id, entry] : robot.hub().entries()) {
+      if (!entry.service) continue;
+      for (const auto& [uid, method] : entry.service->methods()) {
+        const std::string name = version + (" " + entry.service->name()) + "." + method.name;
+        EXPECT_EQ(method.returns.text(), method.return_signature) << name;
+        EXPECT_EQ(method.parameters.text(), method.parameters_signature) << name;
+      }
+    }
+  }
 }
 
 TEST(VersionShapes, EveryServiceTellsTheVersion) {
