@@ -16,6 +16,7 @@
 #include "validation/diagnosis/prepared_set.h"
 #include "validation/diagnosis/whole_diagnosis.h"
 #include "validation/log/data_faults.h"
+#include "validation/log/file_hash.h"
 #include "validation/plot.h"
 
 namespace nao::app {
@@ -109,6 +110,16 @@ std::string commandOf(const Arguments& arguments) {
   return command;
 }
 
+validation::Provenance provenanceOf(const Arguments& arguments, const validation::LogSet& set,
+                                    const std::string& model) {
+  return {set.name,
+          model,
+          commandOf(arguments),
+          arguments.level,
+          validation::sha256OfFolder(arguments.set),
+          validation::sha256OfFolder(findSourceFile(arguments.robots_dir) + "/" + model)};
+}
+
 void report(const Arguments& arguments, const std::string& json, const std::string& page,
             const std::string& text, validation::Verdict verdict) {
   if (!arguments.out.empty()) {
@@ -132,7 +143,7 @@ void runWhole(const Arguments& arguments, const validation::LogSet& set,
   if (!arguments.budget.empty()) options.seconds = secondsOf(arguments.budget);
   options.progress = [](const std::string& what) { std::fprintf(stderr, "%s\n", what.c_str()); };
   const auto found = validation::diagnoseWhole(set, model, options);
-  const validation::Provenance provenance{set.name, name, commandOf(arguments), arguments.level};
+  const validation::Provenance provenance = provenanceOf(arguments, set, name);
   const std::string page = arguments.out.empty() ? "" : wholePage(found, provenance);
   report(arguments, toJson(found, provenance), page, toText(found), found.set.verdict);
 }
@@ -172,7 +183,7 @@ void run(const Arguments& arguments) {
   };
   const auto tasks = tasksOf(prepared, arguments.joint);
   const auto [found, notes] = diagnoseTasks(tasks, prepared, options);
-  const validation::Provenance provenance{set.name, name, commandOf(arguments)};
+  const validation::Provenance provenance = provenanceOf(arguments, set, name);
   const std::string page = arguments.out.empty() ? "" : diagnosisPage(found, tasks, provenance);
   report(arguments, toJson(found, provenance), page, toText(found) + notes, found.verdict);
 }

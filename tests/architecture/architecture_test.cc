@@ -34,7 +34,7 @@ const std::map<std::string, std::set<std::string>> kOnlyHere = {
     {"msgpack", {"naoqi_api"}},
     {"boost/asio", {"daemon"}},
     {"boost/beast", {"daemon"}},
-    {"openssl", {"daemon"}},
+    {"openssl", {"daemon", "validation"}},
     {"yaml-cpp", {"core"}},
     {"urdf_", {"core"}},
     {"tinyxml.h", {"core"}},

@@ -91,7 +91,9 @@ std::string toJson(const SetDiagnosis& diagnosis, const Provenance& provenance) 
   for (const JointVerdict& joint : diagnosis.joints) joints.push_back(toJson(joint));
   const Json all = {{"command", provenance.command},
                     {"set", provenance.set},
+                    {"set_sha256", provenance.set_sha256},
                     {"model", provenance.model},
+                    {"model_sha256", provenance.model_sha256},
                     {"level", provenance.level},
                     {"verdict", wordOf(diagnosis.verdict)},
                     {"exit_code", exitCodeOf(diagnosis.verdict)},

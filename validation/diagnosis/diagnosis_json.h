@@ -3,14 +3,9 @@
 #include <string>
 
 #include "validation/diagnosis/diagnose.h"
+#include "validation/diagnosis/provenance.h"
 
 namespace nao::validation {
-
-/// Where a diagnosis came from, for whoever repeats it.
-struct Provenance {
-  std::string set, model, command;
-  std::string level = "joint";
-};
 
 /// report.json: verdicts, what was found and rejected and why, thresholds and runs.
 std::string toJson(const SetDiagnosis& diagnosis, const Provenance& provenance);

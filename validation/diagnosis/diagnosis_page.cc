@@ -121,13 +121,11 @@ std::string chapterOf(const Examined& joint) {
 }
 
 std::string originOf(const SetDiagnosis& diagnosis, const Provenance& provenance) {
-  return "<h2>Where this comes from</h2>\n<p>Set <code>" + escapeHtml(provenance.set) +
-         "</code>, model <code>" + escapeHtml(provenance.model) + "</code>, level " +
-         escapeHtml(provenance.level) + ". Threshold " + fixed(diagnosis.critical_gain, 1) +
+  return "<h2>Where this comes from</h2>\n<p>" + originInHtml(provenance) + ". Threshold " +
+         fixed(diagnosis.critical_gain, 1) +
          " nats: the 99 % quantile, over all joints and causes, of " +
          std::to_string(diagnosis.null_sets) + " null sets. " + std::to_string(diagnosis.runs) +
-         " simulated runs. Test runs were not opened. To repeat it:</p>\n<p><code>" +
-         escapeHtml(provenance.command) + "</code></p>\n";
+         " simulated runs. Test runs were not opened.</p>\n" + commandInHtml(provenance);
 }
 
 }  // namespace

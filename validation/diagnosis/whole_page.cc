@@ -97,15 +97,14 @@ TextTable gaitOf(const WholeDiagnosis& diagnosis) {
 }
 
 std::string originOf(const WholeDiagnosis& diagnosis, const Provenance& provenance) {
-  return "<h2>Where this comes from</h2>\n<p>Set <code>" + escapeHtml(provenance.set) +
-         "</code>, model <code>" + escapeHtml(provenance.model) + "</code>, level " +
-         escapeHtml(provenance.level) + ". Threshold " + fixed(diagnosis.set.critical_gain, 1) +
-         " nats: 1 % of whole sets, by " + std::to_string(diagnosis.set.null_sets) +
-         " null sets. " + std::to_string(diagnosis.set.runs) +
+  return "<h2>Where this comes from</h2>\n<p>" + originInHtml(provenance) + ". Threshold " +
+         fixed(diagnosis.set.critical_gain, 1) + " nats: 1 % of whole sets, by " +
+         std::to_string(diagnosis.set.null_sets) + " null sets. " +
+         std::to_string(diagnosis.set.runs) +
          " simulated runs. Test runs were not opened. Assumed: a level floor, a robot at rest when "
          "a run begins, commands as logged; a walk's ankles answer what a replay feels beside the "
-         "log. To repeat it:</p>\n<p><code>" +
-         escapeHtml(provenance.command) + "</code></p>\n";
+         "log.</p>\n" +
+         commandInHtml(provenance);
 }
 
 }  // namespace

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace nao::validation {
+
+/// SHA-256 of what a folder's files hold, with their names, in hexadecimal digits: the same for
+/// every copy of the folder. @throws InputError if the folder or a file of it can not be read.
+std::string sha256OfFolder(const std::string& folder);
+
+}  // namespace nao::validation
