@@ -68,6 +68,26 @@ class Converted(unittest.TestCase):
     def testTabsAreEightColumns(self):
         self.assertEqual(self.run_("if True:\n        a = 1\n\tb = 2\n\tprint a + b\n"), ["3"])
 
+    def testUnlessThatMakesNoSense(self):
+        self.assertEqual(self.run_("if True:\n\tfor i in range(2):\n        print i\n"), ["0", "1"])
+
+    def testModulesAndFunctionsHaveTheirOldNames(self):
+        os.mkdir(os.path.join(self.folder, "PIL"))
+        self.write("PIL/__init__.py", "")
+        self.write("PIL/Image.py", "class Image: tobytes = lambda self: b'pixels'\n"
+                                   "def frombytes(mode, size, data): return Image()\n")
+        self.assertEqual(self.run_("import Image\nfrom PIL import Image as new\n"
+                                   "print Image.fromstring('RGB', (1, 2), '').tostring(), "
+                                   "Image is new\n"), ["b'pixels' True"])
+
+    def testWhatIsAKeywordNowWasAName(self):
+        self.assertEqual(self.run_("import qi\nprint qi.async(lambda: 5).value()\n"), ["5"])
+
+    def testTheVersionIsTheOneThatWasAskedFor(self):
+        self.assertEqual(self.run_("import sys\nif sys.version_info[0] > 2: raise Exception()\n"
+                                   "print sys.version_info.major, sys.version_info < (3, 0)\n"),
+                         ["2 True"])
+
     def testImportedModulesAreConvertedToo(self):
         self.write("helper.py", "print 'helper', 5 / 2\nNAME = __name__\n")
         self.assertEqual(self.run_("import helper\nprint helper.NAME, __name__\n"),

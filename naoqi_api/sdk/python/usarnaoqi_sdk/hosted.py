@@ -41,8 +41,8 @@ class Subscription(NamedTuple):
 class HostedObject:
     """One Python object as the other side sees it."""
 
-    def __init__(self, target: Any):
-        self.target = target
+    def __init__(self, target: Any, name: str = ""):
+        self.target, self.name = target, name
         self.uid = hashlib.sha1(_process + str(next(_numbers)).encode()).digest()
         self.methods: Dict[int, OfferedMethod] = {}
         self.signals: Dict[int, Tuple[str, Signal]] = {}
@@ -96,9 +96,11 @@ class Host:
         with self._lock:
             self._objects[service, 1] = hosted
 
-    def remove(self, service: int) -> None:
+    def remove(self, service: int) -> str:
+        """Its name; "" if there was none of that number."""
         with self._lock:
-            self._objects.pop((service, 1), None)
+            hosted = self._objects.pop((service, 1), None)
+        return hosted.name if hosted else ""
 
     def lend(self, target: Any, connection: Connection, service: int) -> Reference:
         """`target` as a value to send in a call of, or an answer from, that service; the other side

@@ -48,6 +48,8 @@ class Session:
         self._address = parseAddress(address)
         self._connections = {self._address: self._open(self._address)}
         self._directory = fetchObject(self._main, SERVICE_DIRECTORY, "ServiceDirectory")
+        if "serviceRemoved" in self._directory.meta.signals:
+            self._directory.serviceRemoved.connect(lambda _, name: self._forget(name))
 
     def __enter__(self) -> "Session":
         return self
@@ -75,7 +77,7 @@ class Session:
         """Makes `target`, any Python object, a service for everybody: its methods, and those of its
         attributes that are signals and properties. Calls come through the directory's connection.
         Returns its number. Raises CallError if the name is taken."""
-        hosted = HostedObject(target)
+        hosted = HostedObject(target, name)
         fields = (name, 0, self._directory.call("machineId"), os.getpid(), [], "0", "")
         (info,) = parse(self._directory.meta.overloads("registerService")[0].arguments).items
         number = self._directory.call("registerService", fields[:len(info.items)])
@@ -84,8 +86,13 @@ class Session:
         return number
 
     def unregisterService(self, number: int) -> None:
+        name = self.host.remove(number)
         self._directory.call("unregisterService", number)
-        self.host.remove(number)
+        self._forget(name)
+
+    def _forget(self, name: str) -> None:
+        with self._lock:
+            self._services.pop(name, None)
 
     def whenLost(self, job: Callable[[str], None]) -> None:
         """Calls `job(reason)` once the connection to the directory has ended."""

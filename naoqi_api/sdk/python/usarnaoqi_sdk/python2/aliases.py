@@ -1,18 +1,22 @@
-"""Modules that moved since: old names for what is installed under a new one."""
+"""What moved since: modules and functions under the names of Python 2's days, where they are
+installed under new ones."""
 
 import importlib
 import importlib.util
 import sys
 from importlib.abc import Loader, MetaPathFinder
-from importlib.machinery import ModuleSpec
+from importlib.machinery import ModuleSpec, PathFinder
 from typing import Any, Optional
 
-NEW_NAMES = {"Image": "PIL.Image", "ImageDraw": "PIL.ImageDraw", "ImageFont": "PIL.ImageFont",
-             "ImageTk": "PIL.ImageTk", "ImageFilter": "PIL.ImageFilter",
-             "ImageOps": "PIL.ImageOps", "ImageChops": "PIL.ImageChops"}
+MODULES = {"Image": "PIL.Image", "ImageDraw": "PIL.ImageDraw", "ImageFont": "PIL.ImageFont",
+           "ImageTk": "PIL.ImageTk", "ImageFilter": "PIL.ImageFilter",
+           "ImageOps": "PIL.ImageOps", "ImageChops": "PIL.ImageChops"}
+FUNCTIONS = {"PIL.Image": [("fromstring", "frombytes"), ("Image.tostring", "Image.tobytes")]}
 
 
 class _Alias(Loader):
+    """A module under its old name."""
+
     def __init__(self, new_name: str):
         self._new_name = new_name
 
@@ -23,17 +27,44 @@ class _Alias(Loader):
         """It has been executed under its new name."""
 
 
+class _Patched(Loader):
+    """A module whose functions have their old names, too."""
+
+    def __init__(self, name: str, loader: Any):
+        self._name, self._loader = name, loader
+
+    def create_module(self, spec: ModuleSpec) -> Any:
+        return self._loader.create_module(spec)
+
+    def exec_module(self, module: Any) -> None:
+        self._loader.exec_module(module)
+        for old, new in FUNCTIONS[self._name]:
+            owner, _, name = old.rpartition(".")
+            target = getattr(module, owner) if owner else module
+            if not hasattr(target, name):
+                setattr(target, name, getattr(target, new.rpartition(".")[2]))
+
+
 class Finder(MetaPathFinder):
-    """The last of sys.meta_path."""
+    """Finds a module's old name if there is the new one."""
 
     def find_spec(self, name: str, path: Any = None, target: Any = None) -> Optional[ModuleSpec]:
-        new_name = NEW_NAMES.get(name)
-        try:
-            known = new_name and importlib.util.find_spec(new_name)
-        except ImportError:
-            known = None
-        return ModuleSpec(name, _Alias(new_name)) if new_name and known else None
+        if name in FUNCTIONS:
+            spec = PathFinder.find_spec(name, path, target)
+            if spec and spec.loader:
+                spec.loader = _Patched(name, spec.loader)
+            return spec
+        if name not in MODULES or PathFinder.find_spec(name) or not _isThere(MODULES[name]):
+            return None
+        return ModuleSpec(name, _Alias(MODULES[name]))
+
+
+def _isThere(name: str) -> bool:
+    try:
+        return importlib.util.find_spec(name) is not None
+    except ImportError:
+        return False
 
 
 def install() -> None:
-    sys.meta_path.append(Finder())
+    sys.meta_path.insert(0, Finder())

@@ -3,10 +3,14 @@
 import builtins
 import numbers
 import sys
+from collections import namedtuple
 from functools import cmp_to_key
 from typing import Any, Callable, List, Optional
 
-__all__ = ["cmp", "file", "ord", "py2_divide", "reload", "sorted", "unichr"]
+__all__ = ["cmp", "file", "ord", "py2_divide", "py2_version_info", "reload", "sorted", "unichr"]
+
+VersionInfo = namedtuple("VersionInfo", "major minor micro releaselevel serial")
+py2_version_info = VersionInfo(2, 7, 18, "final", 0)  # the last one
 
 
 def py2_divide(a: Any, b: Any) -> Any:

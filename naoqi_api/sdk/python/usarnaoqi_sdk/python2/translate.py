@@ -1,5 +1,6 @@
 """Python 2 text to Python 3, by lib2to3 or fissix, whichever there is."""
 
+import re
 import warnings
 from typing import Any, List
 
@@ -31,13 +32,25 @@ class Translator:
 
     def toPython3(self, text: str, place: str) -> str:
         """Raises SyntaxError, with the line, for what is no Python 2 either."""
-        text = _withoutTabs(text if text.endswith("\n") else text + "\n")
+        text = text if text.endswith("\n") else text + "\n"
         try:
-            tree = self._refactor(text, place)
+            tree = self._refactorIndented(text, place)
         except Exception as error:  # pylint: disable=broad-except  # of two libraries' own kinds
             line = getattr(error, "context", ("", (1, 0)))[1][0]
             raise SyntaxError("%s:%d: neither Python 3 nor Python 2" % (place, line)) from None
-        return _withPrelude(division.translated(tree, text))
+        return _withPrelude(_asPython2(division.translated(tree, text)))
+
+    def _refactorIndented(self, text: str, place: str) -> Any:
+        """Python 2 took a tab for 8 columns; where that makes no sense, an editor's 4 are meant."""
+        try:
+            return self._refactor(_withoutTabs(text, 8), place)
+        except Exception as error:  # pylint: disable=broad-except
+            if "\t" not in text:
+                raise
+            try:
+                return self._refactor(_withoutTabs(text, 4), place)
+            except Exception:  # pylint: disable=broad-except
+                raise error from None  # the first one's place is the better one
 
     def _refactor(self, text: str, place: str) -> Any:
         first, second = self._tool, self._with_print_function
@@ -80,12 +93,19 @@ def _quiet(tool: Any) -> Any:
     return Quiet
 
 
-def _withoutTabs(text: str) -> str:
-    """Python 2 took a tab in front of a line for 8 columns, and let tabs and blanks be mixed."""
+def _asPython2(text: str) -> str:
+    """Who asks for the version is told Python 2's: the branches for it are what was converted. A
+    name such as qi.async was not yet a keyword."""
+    text = re.sub(r"\bsys\.version_info\b", "py2_version_info", text)
+    return re.sub(r"\.async\b(?=\s*\()", ".async_", text)
+
+
+def _withoutTabs(text: str, columns: int) -> str:
+    """Tabs in front of lines as blanks: Python 2 let both be mixed."""
     lines = []
     for line in text.split("\n"):
         rest = line.lstrip(" \t")
-        lines.append(line[:len(line) - len(rest)].expandtabs() + rest)
+        lines.append(line[:len(line) - len(rest)].expandtabs(columns) + rest)
     return "\n".join(lines)
 
 

@@ -1,0 +1,94 @@
+"""usarnaoqi run: the program's robot, its exit code, its end and ours."""
+
+import os
+import signal
+import subprocess
+import tempfile
+import unittest
+
+from programs import PATIENCE, PROGRAM, environment, needsDaemon, run
+
+HARD_CODED = """
+from naoqi import ALProxy
+print(len(ALProxy("ALMotion", "192.168.1.77", 9559).getBodyNames("Body")))
+"""
+
+
+@needsDaemon
+class RunTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def write(self, name, text):
+        with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
+            file.write(text)
+        return name
+
+    def run_(self, *words, code=0):
+        return run([PROGRAM, "run", *words], self.folder, code=code)
+
+    def start(self, text, *options):
+        """A program under way, once it has printed a line."""
+        script = self.write("waits.py", text)
+        ours = environment(TMPDIR=self.folder)
+        process = subprocess.Popen([PROGRAM, "run", *options, "--", "python3", "-u", script],
+                                   cwd=self.folder, env=ours, stdout=subprocess.PIPE,
+                                   stderr=subprocess.DEVNULL, text=True)
+        self.addCleanup(process.stdout.close)
+        return process, process.stdout.readline().strip()
+
+    def testAProgramFindsTheRobotWhateverItsAddress(self):
+        script = self.write("script.py", HARD_CODED)
+        self.assertEqual(self.run_("--", "python3", script), "22\n")
+        self.assertEqual(self.run_("--robot", "nao_h25_v50", script), "26\n")
+
+    def testArgumentsAndExitCodeAreTheProgramsOwn(self):
+        script = self.write("script.py", "import sys; print(sys.argv[1:]); sys.exit(7)")
+        self.assertEqual(self.run_("--", "python3", script, "--robot", "x", code=7),
+                         "['--robot', 'x']\n")
+
+    def testASignalThatEndsTheProgramIsTold(self):
+        script = self.write("script.py", "import os; os.kill(os.getpid(), 9)")
+        self.run_("--", "python3", script, code=128 + 9)
+
+    def testWhatIsNoProgramIsTold(self):
+        self.run_("--", "./no-such-program", code=127)
+        self.run_(code=2)
+
+    def testPython2IsConvertedAndNothingStays(self):
+        self.write("old.py", "import sys\nfrom naoqi import ALProxy\n"
+                             "print 'halves', 7 / 2, sys.argv[1]\n")
+        done = subprocess.run([PROGRAM, "run", "--py2", "old.py", "word"], cwd=self.folder,
+                              env=environment(TMPDIR=self.folder), text=True, capture_output=True,
+                              timeout=PATIENCE, check=False)
+        if "neither lib2to3" in done.stderr or "no lib2to3" in done.stderr:
+            self.skipTest("python3 has no lib2to3")
+        self.assertEqual((done.returncode, done.stdout), (0, "halves 3 word\n"), done.stderr)
+        self.assertIn("old.py: Python 2, converted by", done.stderr)
+        self.assertEqual(os.listdir(self.folder), ["old.py"])
+
+    def testASignalToUsIsHandedOnAndTheRobotStaysMeanwhile(self):
+        process, _ = self.start("import signal, sys\nfrom naoqi import ALProxy\n"
+                                "def end(*_):\n"
+                                "    print(ALProxy('ALMotion').ping())\n"
+                                "    sys.exit(5)\n"
+                                "signal.signal(signal.SIGTERM, end)\n"
+                                "print('ready')\nsignal.pause()\n")
+        process.terminate()
+        self.assertEqual(process.communicate(timeout=PATIENCE)[0], "True\n")
+        self.assertEqual(process.returncode, 5)
+
+    def testAKilledRunTakesItsProgramAlong(self):
+        process, pid = self.start("import os, signal\nprint(os.getpid())\nsignal.pause()\n")
+        handle = os.pidfd_open(int(pid))
+        self.addCleanup(os.close, handle)
+        process.send_signal(signal.SIGKILL)
+        process.wait(PATIENCE)
+        import select
+        self.assertEqual(select.select([handle], [], [], PATIENCE)[0], [handle])
+
+
+if __name__ == "__main__":
+    unittest.main()
