@@ -22,6 +22,7 @@ class Clock:
 
     def __init__(self):
         self.tick = qi.Signal("(is)")
+        self.alarm = qi.Signal()
         self.rate = qi.Property("f", 1.0)
         self.promise = qi.Promise(lambda promise: promise.setCanceled())
 
@@ -75,7 +76,8 @@ class HostingTest(unittest.TestCase):
 
     def testOffersWhatIsPublicAndNotHidden(self):
         self.assertEqual(self.remote.meta.names(),
-                         ["all", "child", "fail", "later", "now", "rate", "sum", "tick", "visit"])
+                         ["alarm", "all", "child", "fail", "later", "now", "rate", "sum", "tick",
+                          "visit"])
         self.assertEqual(self.remote.meta.description, "Tells the time.")
         (now,) = {method.description for method in self.remote.meta.overloads("now")}
         self.assertEqual(now, "What time it is.")
@@ -118,6 +120,19 @@ class HostingTest(unittest.TestCase):
         self.assertEqual(heard.get(timeout=SOON), (5, "five"))
         self.remote.tick.disconnect(link)
         self.assertFalse(self.clock.tick.hasSubscribers())
+
+    def testASignalWithoutASignatureCarriesOneValue(self):
+        heard = queue.Queue()
+        self.remote.alarm.connect(lambda *values: heard.put(values))
+        for values in (("one",), (1, "two"), ()):
+            self.clock.alarm(*values)
+        self.assertEqual([heard.get(timeout=SOON) for _ in range(3)],
+                         [("one",), ([1, "two"],), (None,)])
+
+    def testASignalThatDoesNotFitIsTheEmittersError(self):
+        self.remote.tick.connect(print)
+        with self.assertRaises(CallError):
+            self.clock.tick("no number", 5)
 
     def testAClientMayEmit(self):
         heard = queue.Queue()

@@ -135,8 +135,8 @@ class Host:
             if not connection.isOpen():
                 signal.disconnect(ours)
                 return
-            payload = encode(signal.tupleSignature(), self.exported(values, connection,
-                                                                    message.service))
+            event = self.exported(signal.event(values), connection, message.service)
+            payload = encode(signal.tupleSignature(), convert(signal.tupleSignature(), event))
             connection.emit(message.service, message.object, uid, payload)
 
         ours = id(key) << 32 | link & 0xFFFFFFFF

@@ -58,8 +58,15 @@ class Signal:
             job(values)
 
     def tupleSignature(self) -> str:
-        """The signature of what an event carries; "m" is a tuple of anything."""
-        return self.signature
+        """The signature of what an event carries to others: one value of any type if the signal
+        has no signature of its own."""
+        return "(m)" if self.signature == "m" else self.signature
+
+    def event(self, values: tuple) -> tuple:
+        """What an event carries to others: without a signature, several values are one list."""
+        if self.tupleSignature() != "(m)" or len(values) == 1:
+            return values
+        return (list(values) if values else None,)
 
 
 class Property(Signal):
