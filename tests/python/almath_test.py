@@ -105,6 +105,60 @@ class PoseTest(unittest.TestCase):
         self.assertTrue(almath.pose2DFromTransform(product).isNear(a * b, ROUND_TRIP))
 
 
+class DubinsTest(unittest.TestCase):
+    RADIUS = 0.3  # m
+
+    def targets(self):
+        for x in (-1.0, -0.2, 0.1, 0.9):
+            for y in (-0.7, 0.0, 0.4):
+                for theta in (-2.5, -0.5, 0.0, 1.0, 3.0):
+                    yield almath.Pose2D(x, y, theta)
+
+    def testItsPartsLeadToTheTarget(self):
+        for target in self.targets():
+            end = almath.getDubinsSolutions(target, self.RADIUS)[-1]
+            self.assertLess(end.distance(target), ROUND_TRIP, target)
+            self.assertLess(abs(almath.modulo2PI(end.theta - target.theta)), ROUND_TRIP, target)
+
+    def testTurnsOnItsRadiusOrNotAtAll(self):
+        for target in self.targets():
+            before = almath.Pose2D()
+            for pose in almath.getDubinsSolutions(target, self.RADIUS):
+                turned = abs(pose.theta - before.theta)
+                if turned > ROUND_TRIP:
+                    chord = 2 * self.RADIUS * abs(math.sin(turned / 2))
+                    self.assertAlmostEqual(before.distance(pose), chord, delta=ROUND_TRIP)
+                before = pose
+
+    def testStraightAheadIsStraight(self):
+        poses = almath.getDubinsSolutions(almath.Pose2D(1, 0, 0), self.RADIUS)
+        self.assertEqual([pose.y for pose in poses], [0, 0, 0])
+
+    def length(self, target):
+        """Of the way: arcs turn, the straight line does not."""
+        before, total = almath.Pose2D(), 0.0
+        for pose in almath.getDubinsSolutions(target, self.RADIUS):
+            turned = abs(pose.theta - before.theta)
+            total += turned * self.RADIUS if turned else before.distance(pose)
+            before = pose
+        return total
+
+    def testAMirroredTargetIsAsFar(self):
+        for target in self.targets():
+            mirrored = almath.Pose2D(target.x, -target.y, -target.theta)
+            self.assertAlmostEqual(self.length(target), self.length(mirrored), delta=ROUND_TRIP)
+
+    def testTheWayBackIsAsLongAsTheWayThere(self):
+        for target in self.targets():  # driven backwards, a way ends where it began
+            back = almath.Pose2D(target.x, target.y, target.theta).inverse()
+            turned = almath.Pose2D(-back.x, -back.y, back.theta)  # both poses turned round
+            self.assertAlmostEqual(self.length(target), self.length(turned), delta=ROUND_TRIP)
+
+    def testNeedsARadius(self):
+        with self.assertRaises(RuntimeError):
+            almath.getDubinsSolutions(almath.Pose2D(1, 0, 0), 0.0)
+
+
 class ToolsTest(unittest.TestCase):
     def testModuloKeepsTheDirection(self):
         for angle in (0.0, 1.0, -1.0, 4.0, -4.0, 100.0, -100.0, math.pi):
