@@ -41,6 +41,13 @@ class Offered(unittest.TestCase):
         self.assertEqual(self.run_("import motion, qi; print(motion.FRAME_ROBOT, qi.Session)"),
                          "mine real")
 
+    def testAFolderOfTheNameIsNoModuleUnlessItIsAPackage(self):
+        os.mkdir(os.path.join(self.folder, "motion"))
+        os.mkdir(os.path.join(self.folder, "qi"))
+        self.write("qi/__init__.py", "Session = 'package'")
+        self.assertEqual(self.run_("import motion, qi; print(motion.FRAME_ROBOT, qi.Session)"),
+                         "2 package")
+
     def testSoDoThoseOfAFinderThatIsAddedLater(self):
         self.write("late.py", """
 import sys

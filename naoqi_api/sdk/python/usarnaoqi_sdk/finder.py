@@ -29,7 +29,24 @@ class Finder(MetaPathFinder):
         return None
 
 
+class FolderGuard(MetaPathFinder):
+    """The first of sys.meta_path: a folder that is merely called `motion` is no module, though Python
+    takes it for one where no file of that name is on the path."""
+
+    def __init__(self, behind: Finder):
+        self._behind = behind
+
+    def find_spec(self, name: str, path: Any = None, target: Any = None) -> Optional[ModuleSpec]:
+        if name not in NAMES:
+            return None
+        found = PathFinder.find_spec(name, path, target)
+        is_mere_folder = found is not None and found.origin is None
+        return self._behind.find_spec(name, path, target) if is_mere_folder else None
+
+
 def install() -> None:
     """Once, however often it is called."""
     if not any(isinstance(finder, Finder) for finder in sys.meta_path):
-        sys.meta_path.append(Finder())
+        finder = Finder()
+        sys.meta_path.append(finder)
+        sys.meta_path.insert(0, FolderGuard(finder))
