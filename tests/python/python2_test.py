@@ -65,6 +65,12 @@ class Converted(unittest.TestCase):
         self.assertEqual(self.run_("from __future__ import division, print_function\n"
                                    "print(1 / 2)\n"), ["0.5"])
 
+    def testAnythingCompares(self):
+        self.assertEqual(self.run_("print None < 3, [1] < 0.5, 'a' > 5, 2 <= (1,), 3 >= None\n"
+                                   "print 1 < 2 < 3, [i for i in range(3) if i < 2]\n"
+                                   "print sorted([2, None, 1], cmp)\n"),
+                         ["True False True True True", "True [0, 1]", "[None, 1, 2]"])
+
     def testTabsAreEightColumns(self):
         self.assertEqual(self.run_("if True:\n        a = 1\n\tb = 2\n\tprint a + b\n"), ["3"])
 

@@ -2,12 +2,14 @@
 
 import builtins
 import numbers
+import operator
 import sys
 from collections import namedtuple
 from functools import cmp_to_key
-from typing import Any, Callable, List, Optional
+from typing import Any, Callable, List, Optional, Tuple
 
-__all__ = ["cmp", "file", "ord", "py2_divide", "py2_version_info", "reload", "sorted", "unichr"]
+__all__ = ["cmp", "file", "ord", "py2_divide", "py2_greater", "py2_greater_equal", "py2_less",
+           "py2_less_equal", "py2_version_info", "reload", "sorted", "unichr"]
 
 VersionInfo = namedtuple("VersionInfo", "major minor micro releaselevel serial")
 py2_version_info = VersionInfo(2, 7, 18, "final", 0)  # the last one
@@ -20,8 +22,30 @@ def py2_divide(a: Any, b: Any) -> Any:
     return a / b
 
 
+def _rank(value: Any) -> Tuple[int, str]:
+    """Where things of its type stand: nothing first, then numbers, then the others by name."""
+    if value is None:
+        return 0, ""
+    return (1, "") if isinstance(value, numbers.Number) else (2, type(value).__name__)
+
+
+def _comparison(compare: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
+    def compared(a: Any, b: Any) -> Any:
+        try:
+            return compare(a, b)
+        except TypeError:
+            if _rank(a) == _rank(b):
+                raise
+            return compare(_rank(a), _rank(b))
+    return compared
+
+
+py2_less, py2_greater = _comparison(operator.lt), _comparison(operator.gt)
+py2_less_equal, py2_greater_equal = _comparison(operator.le), _comparison(operator.ge)
+
+
 def cmp(a: Any, b: Any) -> int:
-    return (a > b) - (a < b)
+    return py2_greater(a, b) - py2_less(a, b)
 
 
 def ord(character: Any) -> int:  # pylint: disable=redefined-builtin

@@ -1,27 +1,37 @@
-"""Python 2's `/` of whole numbers: `a / b` becomes a call that divides as it did."""
+"""Python 2's operators: `a / b` of whole numbers, and `a < b` of what Python 3 does not compare,
+become calls that do as it did."""
 
 from typing import Any
 
-CALL = "py2_divide"
+DIVIDE = "py2_divide"
+COMPARE = {"<": "py2_less", ">": "py2_greater", "<=": "py2_less_equal", ">=": "py2_greater_equal"}
 
 
 def translated(tree: Any, text: str) -> str:
-    """The text of a tree of lib2to3's, its divisions replaced."""
-    if "import division" not in text:
-        _visit(tree)
+    """The text of a tree of lib2to3's, its operators replaced."""
+    _visit(tree, "import division" not in text)
     return str(tree)
 
 
-def _visit(node: Any) -> None:
+def _visit(node: Any, divides: bool) -> None:
     for child in list(node.children):
-        _visit(child)
+        _visit(child, divides)
     if len(node.children) < 3:
         return
-    slashes = [child for child in node.children if str(child).strip() == "/" and not child.children]
-    if slashes and node.children.index(slashes[0]) % 2 == 1 and _isTerm(node):
+    operators = [str(child).strip() for child in node.children[1::2]]
+    if len(node.children) == 3 and operators[0] in COMPARE:
+        _replaceComparison(node, COMPARE[operators[0]])
+    elif divides and "/" in operators and _isTerm(node):
         _replace(node)
-    elif len(node.children) == 3 and str(node.children[1]).strip() == "/=":
+    elif divides and len(node.children) == 3 and operators[0] == "/=":
         _replaceAugmented(node)
+
+
+def _replaceComparison(node: Any, name: str) -> None:
+    """Of two; a chain of more stays as it is."""
+    first, _, second = node.children
+    prefix = first.prefix
+    _become(node, prefix, "%s(%s,%s)" % (name, str(first)[len(prefix):], second))
 
 
 def _isTerm(node: Any) -> bool:
@@ -37,7 +47,7 @@ def _replace(node: Any) -> None:
     text = str(first)[len(prefix):]
     for operator, operand in zip(node.children[1::2], node.children[2::2]):
         if str(operator).strip() == "/":
-            text = "%s(%s,%s)" % (CALL, text, operand)
+            text = "%s(%s,%s)" % (DIVIDE, text, operand)
         else:
             text += str(operator) + str(operand)
     _become(node, prefix, text)
@@ -45,7 +55,7 @@ def _replace(node: Any) -> None:
 
 def _replaceAugmented(node: Any) -> None:
     target, _, value = node.children
-    text = "%s = %s(%s,%s)" % (str(target).strip(), CALL, str(target).strip(), value)
+    text = "%s = %s(%s,%s)" % (str(target).strip(), DIVIDE, str(target).strip(), value)
     _become(node, target.prefix, text)
 
 
