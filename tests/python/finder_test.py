@@ -35,6 +35,11 @@ class Offered(unittest.TestCase):
                 "v.kVGA, almath.PI > 3, qi.logging.Logger('x').category)")
         self.assertEqual(self.run_(code), "ALProxy async_ 2 2 True x")
 
+    def testNaoqiHasTheModulesBesideIt(self):
+        code = ("from naoqi import *\nfrom naoqi import motion, almath\nimport naoqi\n"
+                "print(ALProxy.__name__, motion.FRAME_TORSO, almath.PI > 3, hasattr(naoqi, 'other'))")
+        self.assertEqual(self.run_(code), "ALProxy 0 True False")
+
     def testAProgramsOwnModulesComeFirst(self):
         self.write("motion.py", "FRAME_ROBOT = 'mine'")
         self.write("qi.py", "Session = 'real'")

@@ -71,6 +71,14 @@ class Converted(unittest.TestCase):
                                    "print sorted([2, None, 1], cmp)\n"),
                          ["True False True True True", "True [0, 1]", "[None, 1, 2]"])
 
+    def testAGlobalMayBeDeclaredAfterItsUse(self):
+        self.assertEqual(self.run_("FLAG = OTHER = 1\n"
+                                   "def use():\n    if FLAG:\n        print FLAG\n"
+                                   "    global FLAG, OTHER\n    FLAG = OTHER = 2\n"
+                                   "def doc():\n    'text'\n    print OTHER\n    global OTHER\n"
+                                   "    OTHER = 3\n"
+                                   "use()\ndoc()\nprint FLAG, OTHER\n"), ["1", "2", "2 3"])
+
     def testTabsAreEightColumns(self):
         self.assertEqual(self.run_("if True:\n        a = 1\n\tb = 2\n\tprint a + b\n"), ["3"])
 

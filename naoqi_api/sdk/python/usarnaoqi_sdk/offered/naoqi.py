@@ -11,3 +11,11 @@ from usarnaoqi_sdk.al import (ALBehavior, ALBroker, ALDocable, ALModule, ALProxy
 
 __all__ = ["ALBehavior", "ALBroker", "ALDocable", "ALModule", "ALProxy", "autoBind",
            "createModule"]
+
+
+def __getattr__(name):
+    """`from naoqi import motion`: the modules beside this one, found as others find them."""
+    if name in ("almath", "motion", "vision_definitions"):
+        import importlib
+        return importlib.import_module(name)
+    raise AttributeError("module 'naoqi' has no attribute '%s'" % name)

@@ -4,7 +4,7 @@ import re
 import warnings
 from typing import Any, List
 
-from . import operators
+from . import global_names, operators
 
 # A script's folder is no package, whatever else lies in it: imports stay absolute.
 UNWANTED = frozenset({"import"})
@@ -38,7 +38,7 @@ class Translator:
         except Exception as error:  # pylint: disable=broad-except  # of two libraries' own kinds
             line = getattr(error, "context", ("", (1, 0)))[1][0]
             raise SyntaxError("%s:%d: neither Python 3 nor Python 2" % (place, line)) from None
-        return _withPrelude(_asPython2(operators.translated(tree, text)))
+        return global_names.moved(_withPrelude(_asPython2(operators.translated(tree, text))))
 
     def _refactorIndented(self, text: str, place: str) -> Any:
         """Python 2 took a tab for 8 columns; where that makes no sense, an editor's 4 are meant."""
