@@ -86,9 +86,9 @@ rpc::Value AlMotionTools::getRobotConfig() {
   const bool has_hands = model.findJoint("LHand").has_value();
   return rpc::Value::list(
       {rpc::Value::list({"Model Type", "Head Version", "Body Version", "Laser", "Legs", "Arms",
-                         "Extended Arms"}),
+                         "Extended Arms", "Hands"}),
        rpc::Value::list({"nao" + model.body_type, version, version, false, hasGroup(model, "LLeg"),
-                         hasGroup(model, "LArm"), has_hands})});
+                         hasGroup(model, "LArm"), has_hands, has_hands})});
 }
 
 rpc::Pending<std::string> AlMotionTools::getSummary() {

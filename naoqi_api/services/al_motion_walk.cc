@@ -110,13 +110,11 @@ rpc::Pending<void> AlMotionWalk::movePathWith(const rpc::Value& points, const rp
   return done;
 }
 
-// Every point is given in the robot frame of the start; each stretch is asked for when the robot
-// stands at the end of the one before.
+// Every point is given as seen from the one before; each stretch is asked for when the robot stands
+// at the end of that.
 void AlMotionWalk::walkOn(const std::vector<Pose2>& path, std::size_t next,
                           const motion::GaitConfig& config, const rpc::Pending<void>& done) {
-  const Pose2 from = next == 0 ? Pose2{} : path[next - 1];
-  const auto stretch =
-      link_.outcomeOf(link_.post(motion::MoveTo{relativeTo(from, path[next]), {}, config}));
+  const auto stretch = link_.outcomeOf(link_.post(motion::MoveTo{path[next], {}, config}));
   done.onCancel(stretch.canceler());
   stretch.whenDone([this, path, next, config, done](const auto& outcome) {
     using Kind = motion::MotionOutcome::Kind;

@@ -16,7 +16,8 @@ const Argument kFrequency{"frequency", "Part of the highest step frequency, 0 to
 const Argument kTime{
     "time", "How long the way is to take [s], for robots on wheels; steps take their own time."};
 const Argument kConfig{"moveConfig", "[[name, value], ...], for instance [[\"MaxStepX\", 0.06]]."};
-const Argument kPoints{"controlPoint", "[x, y, theta] or a list of those, in the robot's frame."};
+const Argument kPoints{"controlPoint",
+                       "[x, y, theta] or a list of those, each as seen from the one before."};
 
 }  // namespace
 
