@@ -65,6 +65,8 @@ Daemon::Daemon(const Options& options)
     credentials = std::make_shared<rpc::Credentials>(rpc::Credentials::load(options.auth));
     script_token = makeRandomName();
     if (!options.scripts.empty()) credentials->add(ScriptProcess::kUser, script_token);
+    module_token_ = makeRandomName();
+    if (!options.modules.empty()) credentials->add(LocalModules::kUser, module_token_);
   }
   const auto task_ids = std::make_shared<rpc::TaskIds>();
   for (std::size_t i = 0; i < simulation_.robotCount(); ++i) {
@@ -75,17 +77,34 @@ Daemon::Daemon(const Options& options)
     simulation_.showTo(hosts_.back()->pictures(), i);
   }
   loop_.holdWhile([this] { return cameras_.pendingJobs() > 0; });
+  if (!options.modules.empty()) inviteModules();
+}
+
+void Daemon::inviteModules() {
+  modules_ = std::make_unique<LocalModules>(options_.modules);
+  loop_.invite(
+      {[this] { return modules_->beginCycle(); }, [this] { return modules_->holdsTime(); }});
+}
+
+// They are clients of the first robot.
+void Daemon::startModules() {
+  const std::string& first = options_.listen.front();
+  const bool everywhere = first == "0.0.0.0" || first == "::";
+  modules_->start({everywhere ? "127.0.0.1" : first, port(0), module_token_},
+                  [this] { loop_.wake(); });
 }
 
 Daemon::~Daemon() {
   cameras_.stop();
   loop_.stop();
+  if (modules_ && !modules_->isOver()) modules_.release();  // NOLINT: a thread of it hangs
 }
 
 void Daemon::run(const std::function<void()>& ready) {
   const auto work = boost::asio::make_work_guard(io_);
   cameras_.start();
   loop_.start();
+  if (modules_) startModules();
   if (ready) boost::asio::post(io_, ready);
   io_.run();
   loop_.stop();
@@ -93,7 +112,18 @@ void Daemon::run(const std::function<void()>& ready) {
   for (auto& host : hosts_) host->close();
 }
 
-void Daemon::stop() { io_.stop(); }
+// Modules that end still call their robot; one that hangs is left.
+void Daemon::stop() {
+  if (!modules_) return io_.stop();
+  constexpr std::chrono::seconds kLongest{5};
+  modules_->end([this] { io_.stop(); });
+  boost::asio::post(io_, [this, kLongest] {
+    patience_.expires_after(kLongest);
+    patience_.async_wait([this](const auto& error) {
+      if (!error) io_.stop();
+    });
+  });
+}
 
 void Daemon::stopOnSignals() {
   signals_.add(SIGINT);

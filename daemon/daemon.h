@@ -3,12 +3,14 @@
 #include <atomic>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <functional>
 #include <map>
 #include <memory>
 #include <vector>
 
 #include "daemon/camera_loop.h"
+#include "daemon/local_modules.h"
 #include "daemon/options.h"
 #include "daemon/robot_host.h"
 #include "daemon/robot_loop.h"
@@ -27,7 +29,7 @@ class Daemon {
   /// Serves until stop(). Calls `ready` once clients may connect.
   void run(const std::function<void()>& ready = {});
 
-  /// Ends run(). From any thread.
+  /// Ends run(), once local modules have ended. From any thread.
   void stop();
 
   /// From now on Ctrl-C and SIGTERM end run().
@@ -56,13 +58,18 @@ class Daemon {
  private:
   void scheduleDelivery();
   void deliver();
+  void inviteModules();
+  void startModules();
 
   Options options_;
   boost::asio::io_context io_{1};
   boost::asio::signal_set signals_{io_};
+  boost::asio::steady_timer patience_{io_};  // with modules that are to end
   runtime::Simulation simulation_;
   RobotLoop loop_;
   CameraLoop cameras_;
+  std::unique_ptr<LocalModules> modules_;  // none without --module
+  std::string module_token_;
   std::vector<std::unique_ptr<RobotHost>> hosts_;
   std::atomic<bool> delivery_due_{false};
 };

@@ -16,6 +16,7 @@ namespace {
 using std::chrono_literals::operator""ms;
 
 constexpr char kDiverged[] = "the physics diverged; reset the world first";
+constexpr auto kGuestsTurn = std::chrono::microseconds(200);  // between two looks at their requests
 constexpr Duration kCycle = 10ms;  // how much is simulated between two looks at requests
 
 }  // namespace
@@ -96,10 +97,28 @@ void RobotLoop::advance() {
 }
 
 void RobotLoop::advanceBy(Duration duration) {
+  const auto cycles = simulation_.now().time_since_epoch() / kCycle;
   simulation_.advanceTo(simulation_.now() + duration);
+  if (simulation_.now().time_since_epoch() / kCycle != cycles) hostGuests();
   if (simulation_.world().healthy()) return;
   spdlog::error("the physics diverged at {} s: time stands until UsarSim.reset",
                 toSeconds(simulation_.now()));
+}
+
+// The robot answers its guests, who act at one simulated time: whatever they take, the same
+// requests meet the same cycle.
+void RobotLoop::hostGuests() {
+  if (!guests_.begin) return;
+  publish();
+  after_cycle_();
+  if (!guests_.begin()) return;
+  while (!stopping_ && guests_.holds_time()) {
+    simulation_.acceptRequests();
+    publish();
+    after_cycle_();
+    waitUntil(std::chrono::steady_clock::now() + kGuestsTurn);
+  }
+  simulation_.acceptRequests();
 }
 
 void RobotLoop::waitUntil(Pace::Wall wall) {

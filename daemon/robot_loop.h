@@ -69,6 +69,14 @@ class RobotLoop {
   /// Before start(): while this is true a world at full speed, or one that is stepped, waits: no
   /// picture may be missing. Called on the simulation thread; must not block.
   void holdWhile(std::function<bool()> hold) { hold_ = std::move(hold); }
+  /// Those who act at the end of a cycle, while time stands still, and ask for what is then done
+  /// before the next.
+  struct Guests {
+    std::function<bool()> begin;       // false: nothing to wait for
+    std::function<bool()> holds_time;  // until wake(), or until it says no
+  };
+  /// Before start(). Called on the simulation thread; must not block.
+  void invite(Guests guests) { guests_ = std::move(guests); }
   /// Before start(): told after every cycle, on the simulation thread, how long after it was due it
   /// was published.
   void onCycle(std::function<void(std::chrono::nanoseconds late)> told) { told_ = std::move(told); }
@@ -85,12 +93,14 @@ class RobotLoop {
   bool mayAdvance();
   void advance();
   void advanceBy(Duration duration);
+  void hostGuests();
   void publish();
   void waitUntil(Pace::Wall wall);
 
   runtime::Simulation& simulation_;
   std::function<void()> after_cycle_;
   std::function<bool()> hold_;
+  Guests guests_;
   std::function<void(std::chrono::nanoseconds)> told_;
   Mailbox<LoopRequest> requests_{256};
   Mailbox<LoopOutcome> outcomes_{4096};

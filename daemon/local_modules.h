@@ -1,0 +1,71 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace nao::daemon {
+
+/// Libraries of modules (`serve --module`) that run in this process: they call the robot through
+/// its port as any client does, on threads of theirs, and are called at every cycle, while
+/// simulated time waits for them.
+class LocalModules {
+ public:
+  struct Robot {
+    std::string host;
+    std::uint16_t port = 0;
+    std::string token;  // of the user kUser; empty: none is asked for
+  };
+  static constexpr char kUser[] = "usarnaoqi-module";
+
+  /// Loads them. @throws InputError if a file is no library of modules.
+  explicit LocalModules(const std::vector<std::string>& files);
+  ~LocalModules();
+  LocalModules(const LocalModules&) = delete;
+  LocalModules& operator=(const LocalModules&) = delete;
+
+  /// Makes the modules, on a thread of their own. `done` is called there after every cycle.
+  void start(const Robot& robot, std::function<void()> done);
+
+  /// Begins what they do at the end of a cycle; false if they are busy still, or there is nothing.
+  bool beginCycle();
+  /// Whether simulated time has to wait for that. After kPatience it does not: a module that
+  /// itself waits for simulated time would wait forever.
+  bool holdsTime();
+
+  bool isOver();
+  /// Ends the modules, which may take time, then calls `ended`, on their thread. Once.
+  void end(std::function<void()> ended);
+
+ private:
+  static constexpr std::chrono::seconds kPatience{1};
+
+  struct Library {
+    std::string name;
+    void* handle = nullptr;
+    void* create = nullptr;
+  };
+  enum class State { Starting, Idle, InCycle, Ending, Over };
+
+  static Library load(const std::string& file);
+  void run(const Robot& robot);
+  void create(const Robot& robot) const;
+
+  std::vector<Library> libraries_;
+  std::function<void()> done_;
+  std::thread thread_;
+  std::mutex mutex_;  // of what follows
+  std::condition_variable changed_;
+  State state_ = State::Starting;
+  bool end_asked_ = false;
+  bool given_up_ = false;  // on the cycle under way
+  std::chrono::steady_clock::time_point begun_;
+  std::function<void()> ended_;
+};
+
+}  // namespace nao::daemon
