@@ -56,6 +56,11 @@ void AlMotionAngles::declare(rpc::Service& service) {
             "Starts moving joints to angles, each at its own speed, and does not wait.", kNames,
             rpc::Argument{"angles", "An angle [rad], or one per joint."},
             rpc::Argument{"fractionMaxSpeeds", "Part of the maximum speed, one per joint."});
+  addMethod(service, "angleInterpolationWithSpeed", this, &Self::angleInterpolationWithSpeedTo,
+            "The same as programs of NAOqi 1.x call it.", kNames,
+            rpc::Argument{"targetAngles", "An angle [rad], or one per joint."},
+            rpc::Argument{"maxSpeedFraction", kFraction.meaning},
+            rpc::Argument{"isAbsolute", "True: no other way is there."});
   addMethod(service, "changeAngles", this, &Self::changeAngles,
             "Starts moving joints by these angles and does not wait.", kNames,
             rpc::Argument{"changes", "An angle [rad], or one per joint."}, kFraction)
@@ -167,6 +172,13 @@ rpc::Pending<void> AlMotionAngles::angleInterpolationWithSpeed(const rpc::Value&
     request.angles.push_back(targets[i]);
   }
   return link_.postAndWait(std::move(request));
+}
+
+rpc::Pending<void> AlMotionAngles::angleInterpolationWithSpeedTo(const rpc::Value& names,
+                                                                 const rpc::Value& angles,
+                                                                 float fraction, bool is_absolute) {
+  if (!is_absolute) throw rpc::CallError("isAbsolute must be true: give the angles to go to");
+  return angleInterpolationWithSpeed(names, angles, fraction);
 }
 
 rpc::Pending<void> AlMotionAngles::angleInterpolationBezier(const std::vector<std::string>& names,

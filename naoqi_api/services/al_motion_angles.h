@@ -25,6 +25,10 @@ class AlMotionAngles {
                                         const rpc::Value& times, bool is_absolute);
   rpc::Pending<void> angleInterpolationWithSpeed(const rpc::Value& names, const rpc::Value& angles,
                                                  float fraction);
+  /// As programs of the 1.x days call it.
+  rpc::Pending<void> angleInterpolationWithSpeedTo(const rpc::Value& names,
+                                                   const rpc::Value& angles, float fraction,
+                                                   bool is_absolute);
   rpc::Pending<void> angleInterpolationBezier(const std::vector<std::string>& names,
                                               const rpc::Value& times,
                                               const rpc::Value& control_points);

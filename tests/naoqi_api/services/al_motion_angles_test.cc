@@ -166,6 +166,15 @@ TEST_F(AlMotionAnglesTest, InterpolationWithSpeedArrives) {
   EXPECT_NEAR(angle("HeadYaw"), -0.5, kFloat);
 }
 
+TEST_F(AlMotionAnglesTest, InterpolationWithSpeedTakesTheSwitchOf1xPrograms) {
+  call("angleInterpolationWithSpeed", {"HeadYaw", 0.25F, 0.5F, true});
+  EXPECT_NEAR(angle("HeadYaw"), 0.25, kFloat);
+  EXPECT_EQ(errorOf("angleInterpolationWithSpeed", {"HeadYaw", 0.5F, 0.5F, false}),
+            "\tALMotion::angleInterpolationWithSpeed\n\tisAbsolute must be true: give the angles "
+            "to go to");
+  EXPECT_NEAR(angle("HeadYaw"), 0.25, kFloat);
+}
+
 TEST_F(AlMotionAnglesTest, BezierTakesKeysWithAndWithoutHandles) {
   const Value key = list({0.5F, list({3, -0.1F, 0}), list({3, 0.1F, 0.0F})});
   call("angleInterpolationBezier",

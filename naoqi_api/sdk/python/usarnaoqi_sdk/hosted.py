@@ -16,7 +16,7 @@ from .future import Future
 from .message import FLAG_DYNAMIC, FLAG_RETURN_TYPE, Kind, Message
 from .metaobject import SIGNATURE, USER_IDS
 from .pool import Strand, callbacks
-from .signals import Property, Signal
+from .signals import Property, Signal, newLink
 from .signature import parse
 
 REGISTER, UNREGISTER, META_OBJECT, TERMINATE = 0, 1, 2, 3
@@ -139,7 +139,7 @@ class Host:
             payload = encode(signal.tupleSignature(), convert(signal.tupleSignature(), event))
             connection.emit(message.service, message.object, uid, payload)
 
-        ours = id(key) << 32 | link & 0xFFFFFFFF
+        ours = newLink()
         self._subscriptions[key] = Subscription(signal, ours)
         signal.listen(ours, tell)
 

@@ -11,6 +11,11 @@ from .pool import Strand, callbacks
 _links = itertools.count(1)
 
 
+def newLink() -> int:
+    """A number that no other subscription has."""
+    return next(_links)
+
+
 class Signal:
     """Called, it tells everybody who connected: each in its order, on a thread that may call
     services."""
@@ -24,7 +29,7 @@ class Signal:
     def connect(self, callback: Any, *_: Any) -> int:
         """Calls `callback(*values)` for each event; the number is for disconnect(). A callback may
         be another signal."""
-        strand, link = Strand(callbacks), next(_links)
+        strand, link = Strand(callbacks), newLink()
         self.listen(link, lambda values: strand.run(lambda: callback(*values)))
         return link
 
