@@ -130,6 +130,11 @@ TEST_F(ModuleTest, APostedMethodIsWaitedFor) {
   EXPECT_FALSE(proxy_.isRunning(id));
 }
 
+TEST_F(ModuleTest, APostedMethodMayCallItsOwnModuleWhileItIsWaitedFor) {
+  const int id = proxy_.pCall("askMyself");
+  EXPECT_FALSE(proxy_.wait(id, 0));
+}
+
 TEST_F(ModuleTest, WhatIsNotBoundIsNotThere) {
   EXPECT_THROW(proxy_.callVoid("init"), AL::ALError);
   EXPECT_THROW(proxy_.callVoid("half", "text"), AL::ALError);

@@ -68,7 +68,10 @@ std::string errorText(const wire::Message& answer) {
 Connection::Connection(const Endpoint& endpoint, Incoming incoming)
     : incoming_(std::move(incoming)) {
   connect(endpoint);
-  reader_ = std::thread([this] { read(); });
+  {
+    const std::lock_guard lock(mutex_);
+    reader_ = std::thread([this] { read(); });
+  }
   try {
     authenticate(endpoint);
   } catch (const std::runtime_error&) {
@@ -205,6 +208,7 @@ void Connection::lose() {
     promise.set_exception(std::make_exception_ptr(rpc::CallError(kGone)));
   }
   open_calls_.clear();
+  if (!closing_ && reader_.joinable()) reader_.detach();  // its end is here: nobody joins it
 }
 
 bool Connection::isOpen() const {
@@ -213,6 +217,10 @@ bool Connection::isOpen() const {
 }
 
 void Connection::close() {
+  {
+    const std::lock_guard lock(mutex_);
+    closing_ = true;
+  }
   ::shutdown(socket_, SHUT_RDWR);
   if (!reader_.joinable()) return;
   reader_.get_id() == std::this_thread::get_id() ? reader_.detach() : reader_.join();

@@ -61,6 +61,7 @@ class Connection {
   std::map<std::uint32_t, std::promise<wire::Message>> open_calls_;
   std::uint32_t next_id_ = 1;
   bool lost_ = false;
+  bool closing_ = false;
   std::thread reader_;
 };
 

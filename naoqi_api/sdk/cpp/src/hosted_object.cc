@@ -9,6 +9,7 @@
 #include "naoqi_api/call_error.h"
 #include "naoqi_api/convert.h"
 #include "naoqi_api/sdk/cpp/src/value_bridge.h"
+#include "naoqi_api/sdk/cpp/src/workers.h"
 #include "naoqi_api/wire/codec.h"
 
 namespace nao::client {
@@ -121,10 +122,7 @@ void HostedObject::open() {
 }
 
 wire::Message HostedObject::answer(const wire::Message& call) {
-  {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return open_; });
-  }
+  waitUntilOpen();
   wire::Message answer;
   answer.id = call.id;
   answer.address = call.address;
@@ -139,6 +137,15 @@ wire::Message HostedObject::answer(const wire::Message& call) {
     wire::encodeDynamic(answer.payload, Value(error.what()));
   }
   return answer;
+}
+
+void HostedObject::waitUntilOpen() {
+  std::unique_lock lock(mutex_);
+  if (open_) return;
+  lock.unlock();
+  const Workers::Waiting waiting;
+  lock.lock();
+  changed_.wait(lock, [this] { return open_; });
 }
 
 Value HostedObject::resultOf(const wire::Message& call, std::string& returns) {
@@ -251,6 +258,7 @@ int HostedObject::post(std::uint32_t uid, const std::vector<Value>& arguments) {
 }
 
 bool HostedObject::wait(int id, int timeout_ms) {
+  const Workers::Waiting waiting;
   std::unique_lock lock(mutex_);
   const auto over = [this, id] { return tasks_.count(id) == 0; };
   if (timeout_ms <= 0) return changed_.wait(lock, over), false;

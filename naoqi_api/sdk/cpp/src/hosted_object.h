@@ -46,6 +46,7 @@ class HostedObject {
   static constexpr std::uint32_t kFirstOfModule = 100;  // below: what every object has
   static constexpr std::uint32_t kFirstOwn = 113;       // below: what every module has
 
+  void waitUntilOpen();
   rpc::Value resultOf(const wire::Message& call, std::string& returns);
   rpc::Value metaObject() const;
   rpc::Value callBase(const wire::Message& call, std::string& returns);

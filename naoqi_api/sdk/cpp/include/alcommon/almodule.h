@@ -57,6 +57,7 @@ class USARNAOQI_SDK_API ALModule : public ALModuleCore,
   void addParam(const std::string& name, const std::string& meaning);
   void setReturn(const std::string& name, const std::string& meaning);
   void addMethodExample(const std::string& /*language*/, const std::string& /*code*/) {}
+  void addModuleExample(const std::string& /*language*/, const std::string& /*code*/) {}
   void setExamplePath(const std::string& /*path*/) {}
 
   /// BIND_METHOD's work.

@@ -30,8 +30,9 @@ class ALImage {
   }
   int getTimeStampS() const { return image_[4]; }
   int getTimeStampUS() const { return image_[5]; }
-  const unsigned char* getData() const {
-    return static_cast<const unsigned char*>(image_[kData].GetBinary());
+  /// The pixels, row by row. To be read only, whatever the type, which is what programs assign.
+  unsigned char* getData() const {
+    return static_cast<unsigned char*>(const_cast<void*>(image_[kData].GetBinary()));
   }
   int getSize() const { return static_cast<int>(image_[kData].getSize()); }
   /// 0: top, 1: bottom.
