@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "tests/core/temporary_folder.h"
 #include "tests/sdk_cpp/robot_process.h"
 
 namespace nao {
@@ -62,6 +63,13 @@ TEST_F(LocalModuleTest, EndsWithTheDaemon) {
   waitForCycles(1);
   robot_.process().interrupt();
   EXPECT_EQ(robot_.process().wait(), 0);
+}
+
+TEST(LocalModule, IsLetInWhereOthersNeedAToken) {
+  const TemporaryFolder folder;
+  Process daemon({NAO_PROGRAM, "serve", "--port", "0", "--auth", folder.write("users", "ada x\n"),
+                  "--module", NAO_CYCLE_MODULE});
+  EXPECT_NE(daemon.readLineWith("module libcycle_module is there"), "");
 }
 
 TEST(LocalModule, AFileThatIsNoneIsToldInOneSentence) {

@@ -12,6 +12,7 @@
 
 #include <cmath>
 
+#include "tests/core/temporary_folder.h"
 #include "tests/sdk_cpp/robot_process.h"
 
 namespace nao {
@@ -123,6 +124,21 @@ TEST_F(ProxyTest, ALostRobotEndsCallsWithAnError) {
   robot_.process().interrupt();
   robot_.process().wait();
   EXPECT_THROW(motion.getSummary(), AL::ALError);
+}
+
+TEST(Credentials, TheEnvironmentsAreSaid) {
+  const TemporaryFolder folder;
+  const RobotProcess robot({"--auth", folder.write("users", "ada secret\n")});
+  const std::vector<std::string> words = {NAO_CPP_MOTION, "127.0.0.1",
+                                          std::to_string(robot.port())};
+  EXPECT_EQ(Process(words, {"USARNAOQI_USER=ada", "USARNAOQI_TOKEN=secret"}).wait(), 0);
+  EXPECT_EQ(Process(words, {"USARNAOQI_USER=ada", "USARNAOQI_TOKEN=wrong"}).wait(), 1);
+  try {
+    AL::ALMotionProxy("127.0.0.1", robot.port());
+    FAIL();
+  } catch (const AL::ALError& error) {
+    EXPECT_NE(error.toString().find("Authentication failed"), std::string::npos);
+  }
 }
 
 }  // namespace

@@ -104,7 +104,9 @@ void Connection::authenticate(const Endpoint& endpoint) {
   const wire::Message answer = begin(kAuthenticate, std::move(payload)).get();
   const bool known = !endpoint.user.empty() || !endpoint.token.empty();
   if (answer.type == wire::MessageType::Error) {
-    if (known) throw std::runtime_error(errorText(answer));
+    const std::string error = errorText(answer);
+    const bool refused = error.rfind("Authentication failed", 0) == 0;
+    if (known || refused) throw std::runtime_error(error);
     return;
   }
   const Value state = wire::Decoder(answer.payload).read("{sm}");
