@@ -24,9 +24,9 @@
 namespace nao::app {
 namespace {
 
-constexpr int kNotFound = 127;       // as a shell says that there is no such program
-constexpr int kBySignal = 128;       // as a shell says that a program ended by signal n: 128 + n
-constexpr timespec kPatience{5, 0};  // for a program that was asked to end
+constexpr int kNotFound = 127;        // as a shell says that there is no such program
+constexpr int kBySignal = 128;        // as a shell says that a program ended by signal n: 128 + n
+constexpr timespec kPatience{10, 0};  // for a program that was asked to end
 
 struct Arguments {
   daemon::Options options;
@@ -58,6 +58,7 @@ std::vector<std::string> commandOf(const Arguments& arguments) {
   if (isScript(words.front())) words.insert(words.begin(), "python3");
   if (words.front() == "python" && !isInPath("python")) words.front() = "python3";
   if (!arguments.python2) return words;
+  if (words.front().rfind("python2", 0) == 0) words.front() = "python3";
   const auto script = std::find_if(words.begin() + 1, words.end(), isScript);
   if (script == words.end()) throw InputError("--py2: there is no script FILE.py in the command");
   const std::vector<std::string> through = {"-m", "usarnaoqi_sdk.python2"};
@@ -141,8 +142,8 @@ class Program {
     ::_exit(kNotFound);
   }
 
-  // A terminal's Ctrl-C reaches the program by itself; other signals are handed on. One that does
-  // not end in time is ended.
+  // A terminal's Ctrl-C reaches the program by itself; other signals are handed on. What it makes
+  // of Ctrl-C is its affair; if it is told to end and does not in time, it is ended.
   void watch() {
     const sigset_t watched = watchedSignals();
     bool asked = false;
@@ -153,7 +154,7 @@ class Program {
       if (signal < 0 && asked) ::kill(process_, SIGKILL);
       if (signal <= 0 || signal == SIGCHLD) continue;
       if (info.si_code != SI_KERNEL) ::kill(process_, signal);
-      asked = true;
+      asked = asked || signal != SIGINT;
     }
   }
 

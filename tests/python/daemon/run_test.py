@@ -60,9 +60,9 @@ class RunTest(unittest.TestCase):
     def testPython2IsConvertedAndNothingStays(self):
         self.write("old.py", "import sys\nfrom naoqi import ALProxy\n"
                              "print 'halves', 7 / 2, sys.argv[1]\n")
-        done = subprocess.run([PROGRAM, "run", "--py2", "old.py", "word"], cwd=self.folder,
-                              env=environment(TMPDIR=self.folder), text=True, capture_output=True,
-                              timeout=PATIENCE, check=False)
+        done = subprocess.run([PROGRAM, "run", "--py2", "--", "python2.7", "old.py", "word"],
+                              cwd=self.folder, env=environment(TMPDIR=self.folder), text=True,
+                              capture_output=True, timeout=PATIENCE, check=False)
         if "neither lib2to3" in done.stderr or "no lib2to3" in done.stderr:
             self.skipTest("python3 has no lib2to3")
         self.assertEqual((done.returncode, done.stdout), (0, "halves 3 word\n"), done.stderr)
@@ -79,6 +79,16 @@ class RunTest(unittest.TestCase):
         process.terminate()
         self.assertEqual(process.communicate(timeout=PATIENCE)[0], "True\n")
         self.assertEqual(process.returncode, 5)
+
+    def testCtrlCIsTheProgramsAffair(self):
+        process, _ = self.start("import signal\nfrom naoqi import ALProxy\nprint('ready')\n"
+                                "try:\n    signal.pause()\n"
+                                "except KeyboardInterrupt:\n"
+                                "    ALProxy('ALMotion').rest()\n"
+                                "    print('rests')\n")
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.communicate(timeout=PATIENCE)[0], "rests\n")
+        self.assertEqual(process.returncode, 0)
 
     def testAKilledRunTakesItsProgramAlong(self):
         process, pid = self.start("import os, signal\nprint(os.getpid())\nsignal.pause()\n")
