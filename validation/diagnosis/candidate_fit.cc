@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "validation/diagnosis/beat_search.h"
 #include "validation/diagnosis/least_squares.h"
 
 namespace nao::validation {
@@ -21,8 +22,9 @@ double stepOf(const FreeNumber& number) {
 void append(FitSpace& space, const Cause& cause, const std::vector<double>& x) {
   for (std::size_t i = 0; i < x.size(); ++i) {
     space.start.push_back(x[i]);
-    space.lower.push_back(cause.free[i].lower);
-    space.upper.push_back(cause.free[i].upper);
+    const bool fixed = i == 0 && cause.beats;  // the response to the next size is another
+    space.lower.push_back(fixed ? x[i] : cause.free[i].lower);
+    space.upper.push_back(fixed ? x[i] : cause.free[i].upper);
     space.step.push_back(stepOf(cause.free[i]));
   }
 }
@@ -74,6 +76,16 @@ class SizeSearch {
     return best;
   }
 
+  // To the best of sizes whose beat must be met.
+  Point beating(Point best) const {
+    double width = beatWidth(ensemble_.data(), best.x[0]) / 2;
+    for (int i = 0; i < kNarrowed; ++i, width /= 2) {
+      const double centre = best.x[0];
+      for (const double size : {centre - width, centre + width}) best = better(best, size);
+    }
+    return best;
+  }
+
   // A look was scaled too far if nothing is gained there: half as far, and again.
   Point shortened(Point best) const {
     for (int i = 0; i < kShortened && best.gain <= 0; ++i) best = at(scaled(best.x, 0.5));
@@ -93,8 +105,15 @@ class SizeSearch {
   }
 
  private:
-  static constexpr int kFollowed = 3, kShortened = 3;
+  static constexpr int kFollowed = 3, kShortened = 3, kNarrowed = 4;
   static constexpr double kFar = 3, kNear = 0.08;
+
+  Point better(const Point& best, double size) const {
+    std::vector<double> x = best.x;
+    x[0] = size;
+    const Point point = at(x);
+    return point.gain > best.gain ? point : best;
+  }
 
   std::vector<double> scaled(std::vector<double> x, double factor) const {
     const FreeNumber& size = causes_[cause_].free[0];
@@ -141,6 +160,7 @@ class ModelChanges {
 
   // Widens a number's step until its difference is more than chance, up to half the number.
   void widen(FitSpace& space, std::size_t i) {
+    if (space.isFixed(i)) return;
     const double most = kWidest * std::abs(space.start[i]);
     while (space.step[i] < most) {
       if (stage_.whitenFit(slope(space, i, space.start)).coherence() > kCoherent) return;
@@ -208,12 +228,12 @@ QuickFit fitQuickly(Ensemble& ensemble, const Stage& stage, const std::vector<Ca
   }
   const SizeSearch search(ensemble, stage, causes, cause, effort);
   SizeSearch::Point best = search.at(x);
-  // What was scanned is in its valley; others have to find theirs.
-  const std::vector<double>& seen = causes[cause].scan;
-  const bool found = std::find(seen.begin(), seen.end(), x[0]) != seen.end();
-  if (!causes[cause].linear && !found) best = search.scanned(best);
-  if (causes[cause].linear) best = search.shortened(best);
-  if (best.gain > 0 && !found) best = search.followed(best);
+  if (causes[cause].beats) {
+    if (best.gain > 0) best = search.beating(best);
+    return {cause, best.x, best.gain};
+  }
+  best = causes[cause].linear ? search.shortened(best) : search.scanned(best);
+  if (best.gain > 0) best = search.followed(best);
   return {cause, best.x, best.gain};
 }
 
@@ -250,21 +270,30 @@ ModelFit fitFully(Ensemble& ensemble, const JointData& data, const Stage& stage,
 
 void moveNumbers(ModelFit& fit, const Eigen::VectorXd& raw, const Stage& stage,
                  const std::vector<Cause>& causes) {
-  const Eigen::VectorXd left = stage.whitenFit(raw);
-  Eigen::MatrixXd white(left.size(), fit.jacobian.cols());
-  for (Eigen::Index i = 0; i < white.cols(); ++i) {
-    white.col(i) = stage.whitenFit(fit.jacobian.col(i));
-  }
-  const Eigen::VectorXd move = white.colPivHouseholderQr().solve(left);
+  struct Moved {
+    double* x;
+    const FreeNumber* number;
+    Eigen::Index column;
+  };
+  std::vector<Moved> moved;
   Eigen::Index column = 0;
   for (Chosen& one : fit.model) {
     for (std::size_t i = 0; i < one.x.size(); ++i, ++column) {
-      const FreeNumber& number = causes[one.cause].free[i];
-      const bool rough = i == 0 && !causes[one.cause].scan.empty();  // its slope leads nowhere
-      const double wanted = rough ? one.x[i] : one.x[i] + move[column];
-      const double x = std::clamp(wanted, number.lower, number.upper);
-      one.x[i] = x;
+      if (i == 0 && causes[one.cause].beats) continue;  // its slope leads nowhere
+      moved.push_back({&one.x[i], &causes[one.cause].free[i], column});
     }
+  }
+  if (moved.empty()) return;
+  const Eigen::VectorXd left = stage.whitenFit(raw);
+  Eigen::MatrixXd white(left.size(), static_cast<Eigen::Index>(moved.size()));
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    white.col(static_cast<Eigen::Index>(i)) = stage.whitenFit(fit.jacobian.col(moved[i].column));
+  }
+  const Eigen::VectorXd move = white.colPivHouseholderQr().solve(left);
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    const FreeNumber& number = *moved[i].number;
+    double& x = *moved[i].x;
+    x = std::clamp(x + move[static_cast<Eigen::Index>(i)], number.lower, number.upper);
   }
 }
 

@@ -40,9 +40,11 @@ struct Cause {
   std::vector<Joint> joints{};  // it acts on; filled in by boundedAt(); empty: all
   /// The response is nearly proportional to the size, so that one look serves both signs.
   bool linear = true;
-  /// Sizes to look at one by one, where the response to one says nothing of the next: a clock that
-  /// beats with that of the log. Empty: `starts` are enough.
+  /// Sizes to look at one by one, where the response to one says little of the next: what every
+  /// run's own late start takes off a delay leaves its bends alone. Empty: `starts` are enough.
   std::vector<double> scan{};
+  /// A clock that beats with that of the log: sizes are told apart as beatingSizes() does.
+  bool beats = false;
   bool coupled = false;  // needs a joint that another limits
   /// Undeclared spread of this number between equal robots [its unit]: what a robot's maker calls
   /// the same. Less than the smallest size of interest; 0: none is expected.

@@ -70,6 +70,13 @@ Eigen::VectorXd Ensemble::rough(const std::vector<EffectSetting>& causes) {
   return meanOf(joint_.rough(), causes, 0, 1, 1);
 }
 
+Eigen::VectorXd Ensemble::roughOf(const std::vector<EffectSetting>& causes,
+                                  const MotionSpan& span) {
+  ++used_;
+  const std::uint64_t stream = streamOf(StreamUse::Mean, span.motion, 0);
+  return joint_.rough().run(withGiven(causes), span.motion, stream, noise_).reshaped();
+}
+
 // Of every `every`-th of the runs 0 to `runs` - 1, from the `first` on.
 Eigen::VectorXd Ensemble::meanOf(const JointSimulator& joint,
                                  const std::vector<EffectSetting>& causes, int first, int runs,

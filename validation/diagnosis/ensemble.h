@@ -12,6 +12,7 @@
 namespace nao::validation {
 
 class JointData;
+struct MotionSpan;
 
 /// What a run's random numbers are for: streams of different use never meet.
 enum class StreamUse : std::uint64_t { Mean = 1, Pool = 2, Spread = 4, Noise = 5 };
@@ -49,6 +50,8 @@ class Ensemble {
   /// The same of rough runs, and of one rough run.
   Halves roughHalves(const std::vector<EffectSetting>& causes, int runs);
   Eigen::VectorXd rough(const std::vector<EffectSetting>& causes);
+  /// Of one motion alone.
+  Eigen::VectorXd roughOf(const std::vector<EffectSetting>& causes, const MotionSpan& span);
   /// `runs` exact runs per motion.
   RunPool pool(const std::vector<EffectSetting>& causes, int runs);
 
@@ -56,6 +59,7 @@ class Ensemble {
   void setGiven(std::vector<EffectSetting> given) { given_ = std::move(given); }
 
   const JointNoise& noise() const { return noise_; }
+  const JointData& data() const { return data_; }
   long used() const { return used_; }
   /// Runs may be granted again.
   void grant(long runs) { granted_ += runs; }

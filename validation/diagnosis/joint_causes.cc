@@ -43,6 +43,16 @@ Cause byGrid(Cause cause) {
   cause.linear = false;
   return cause;
 }
+// A delay: the start of every run is free as well, so that bends alone tell it.
+Cause late(Cause cause) {
+  cause.linear = false;
+  for (double delay = 0.002; delay < 0.08; delay *= 1.2) {
+    cause.scan.push_back(delay);
+    cause.scan.push_back(-delay);
+  }
+  return cause;
+}
+
 Cause shaped(Cause cause, const std::string& parameter, std::vector<double> starts) {
   cause.free.push_back({parameter, std::move(starts), Form::Offset, "", 0, 0, 0, 0});
   return cause;
@@ -159,19 +169,16 @@ void addLoad(std::vector<Cause>& all) {
 }
 
 void addTiming(std::vector<Cause>& all) {
-  all.push_back(forAll(one("command_latency", "delay", {0.01, 0.03, -0.006},
-                           "commands reach {joint} {value} later than the model says",
-                           "the current as a third clock")));
-  all.push_back(forAll(one("sensor_delay", "delay", {0.01, 0.03, -0.005},
-                           "{joint}'s angle is reported {value} later than the model says",
-                           "the current as a third clock")));
+  all.push_back(forAll(late(one("command_latency", "delay", {0.01, 0.03, -0.006},
+                                "commands reach {joint} {value} later than the model says",
+                                "the current as a third clock"))));
+  all.push_back(forAll(late(one("sensor_delay", "delay", {0.01, 0.03, -0.005},
+                                "{joint}'s angle is reported {value} later than the model says",
+                                "the current as a third clock"))));
   Cause hold =
       byGrid(one("command_hold", "interval", {0.03, 0.015, 0.06, 0.1},
                  "{joint} takes new commands only every {value}", "a log at a higher rate"));
-  // [s] As finely as steps of physics tell intervals apart, then as their beat with a cycle does.
-  for (int i = 10; i < 48; ++i) hold.scan.push_back(2.5e-4 * i);
-  for (int i = 24; i < 80; ++i) hold.scan.push_back(5e-4 * i);
-  for (int i = 40; i <= 120; ++i) hold.scan.push_back(1e-3 * i);
+  hold.beats = true;
   all.push_back(forAll(hold));
   all.push_back(forAll(byGrid(one("command_filter", "time", {0.015, 0.05},
                                   "{joint}'s command is smoothed over {value}",

@@ -136,7 +136,8 @@ std::vector<JointSearch::Candidate> JointSearch::rank(const Stage& stage) {
   std::vector<Candidate> ranking;
   const Eigen::VectorXd white = stage.white(stage.raw());
   const double least = std::max(kWorthFitting * crit, kHopeless * stage.largestGain(white));
-  const auto starts = startsFor(stage, causes_, white, least, effort_.survivors);
+  auto starts = startsFor(stage, causes_, white, least, effort_.survivors);
+  if (!starts.empty()) addBeats(stage, starts);
   for (const QuickFit& start : starts) {
     if (ensemble_.spent()) {
       not_tried_.push_back(causes_[start.cause].id);
@@ -153,6 +154,16 @@ std::vector<JointSearch::Candidate> JointSearch::rank(const Stage& stage) {
   }
   sortBest(ranking);
   return ranking;
+}
+
+// Sizes of clocks, which no look at another size tells of.
+void JointSearch::addBeats(const Stage& stage, std::vector<QuickFit>& starts) {
+  for (std::size_t c = 0; c < causes_.size(); ++c) {
+    if (!causes_[c].beats || stage.isTaken(c)) continue;
+    for (const double size : beatingSizes(ensemble_, stage, causes_, c)) {
+      starts.push_back({c, {size}, 0});
+    }
+  }
 }
 
 void JointSearch::fitFinalists(const Stage& stage, std::vector<Candidate>& ranking) {

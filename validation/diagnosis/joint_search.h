@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "validation/diagnosis/beat_search.h"
 #include "validation/diagnosis/candidate_fit.h"
 #include "validation/diagnosis/cross_validation.h"
 #include "validation/diagnosis/verdict.h"
@@ -31,6 +32,10 @@ class JointSearch {
   /// Half the squares of the fit motions' residual with this number given, less that without: what
   /// one number for all joints would cost or save here [nats]. By ensembles of final_runs.
   double costOf(std::size_t cause, double x);
+  /// Sizes that this joint proposes for a cause that beats.
+  std::vector<double> beatingSizesOf(std::size_t cause) {
+    return beatingSizes(ensemble_, *stage_, causes_, cause);
+  }
   const NullRecord& nulls() const { return nulls_; }
 
   /// `others`: the largest of all other joints, by null set.
@@ -62,6 +67,7 @@ class JointSearch {
   void enterModel(const ModelFit& fit);
   double critical() const;
   std::vector<Candidate> rank(const Stage& stage);
+  void addBeats(const Stage& stage, std::vector<QuickFit>& starts);
   void fitFinalists(const Stage& stage, std::vector<Candidate>& ranking);
   void fitFinally(const Stage& stage, Candidate& candidate);
   static void sortBest(std::vector<Candidate>& ranking);

@@ -31,10 +31,14 @@ class Differences {
     if (has_jacobian_) return jacobian_;
     jacobian_.resize(value_.size(), static_cast<Eigen::Index>(x.size()));
     for (std::size_t i = 0; i < x.size(); ++i) {
+      const auto column = static_cast<Eigen::Index>(i);
+      if (space_.isFixed(i)) {
+        jacobian_.col(column).setZero();
+        continue;
+      }
       std::vector<double> beside = x;
       beside[i] += differenceStep(space_, i, x[i]);
-      jacobian_.col(static_cast<Eigen::Index>(i)) =
-          (residual_(beside) - value_) / (beside[i] - x[i]);
+      jacobian_.col(column) = (residual_(beside) - value_) / (beside[i] - x[i]);
       ++evaluations_;
     }
     has_jacobian_ = true;

@@ -12,6 +12,9 @@ struct FitSpace {
   std::vector<double> start, lower, upper;
   std::vector<double> step;  // of the finite differences: wide enough to be more than roundings
   int iterations = 5;
+
+  /// A number that stays where it is.
+  bool isFixed(std::size_t i) const { return lower[i] == upper[i]; }
 };
 
 /// The finite difference taken for the `i`-th number at `x`.

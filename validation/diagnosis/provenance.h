@@ -8,7 +8,7 @@ namespace nao::validation {
 struct Provenance {
   std::string set, model, command;
   std::string level = "joint";
-  std::string set_sha256, model_sha256;  // of their folders
+  std::string set_sha256{}, model_sha256{};  // of their folders
 };
 
 /// In HTML: set, model and level, one clause.

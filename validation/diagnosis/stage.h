@@ -60,6 +60,8 @@ class Stage {
   void simulateNulls(const std::string& joint);
 
   const CauseList& model() const { return model_; }
+  /// Whether the model has the cause, or everything here has.
+  bool isTaken(std::size_t cause) const;
   const std::vector<Look>& looks() const { return looks_; }
   /// Measured minus predicted mean, as measured.
   const Eigen::VectorXd& raw() const { return raw_; }
@@ -88,7 +90,6 @@ class Stage {
   void look(Ensemble& ensemble, const Effort& effort);
   void lookAt(Ensemble& ensemble, std::size_t cause, const std::vector<double>& x,
               const Effort& effort);
-  bool isTaken(std::size_t cause) const;
   void scan(std::size_t cause);
   void setJacobian(const Eigen::MatrixXd& jacobian);
   Eigen::MatrixXd directions(const Effort& effort, double start_sd);

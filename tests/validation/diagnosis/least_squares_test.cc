@@ -28,6 +28,17 @@ TEST(LeastSquares, FindsBothNumbersOfACurve) {
   EXPECT_NEAR(found.x[1], 1.5, 1e-3);
 }
 
+TEST(LeastSquares, AFixedNumberLeavesTheOthersToFit) {
+  const FitSpace space{{2, 0.5}, {2, 0}, {2, 10}, {1e-3, 1e-3}, 20};
+  const FitPoint found = leastSquares(
+      [](const std::vector<double>& x) -> Eigen::VectorXd {
+        return decay(x[0], x[1]) - decay(2, 1.5);
+      },
+      space);
+  EXPECT_EQ(found.x[0], 2);
+  EXPECT_NEAR(found.x[1], 1.5, 1e-3);
+}
+
 TEST(LeastSquares, StaysWithinBounds) { EXPECT_NEAR(fit(1.7).x[0], 1.7, 1e-6); }
 
 }  // namespace
