@@ -3,6 +3,7 @@
 #include "naoqi_api/al_module.h"
 #include "naoqi_api/services/al_motion_angles.h"
 #include "naoqi_api/services/al_motion_cartesian.h"
+#include "naoqi_api/services/al_motion_collisions.h"
 #include "naoqi_api/services/al_motion_footsteps.h"
 #include "naoqi_api/services/al_motion_geometry.h"
 #include "naoqi_api/services/al_motion_inner.h"
@@ -10,6 +11,7 @@
 #include "naoqi_api/services/al_motion_switches.h"
 #include "naoqi_api/services/al_motion_tasks.h"
 #include "naoqi_api/services/al_motion_tools.h"
+#include "naoqi_api/services/al_motion_touch.h"
 #include "naoqi_api/services/al_motion_trajectory.h"
 #include "naoqi_api/services/al_motion_walk.h"
 #include "naoqi_api/services/al_motion_whole_body.h"
@@ -30,11 +32,11 @@ void addPart(rpc::Service& service, RobotLink& link) {
 }  // namespace
 
 std::shared_ptr<rpc::Service> makeAlMotion(RobotLink& link) {
-  return makeAlMotion(link, std::make_shared<ObstacleReflex>(link));
+  return makeAlMotion(
+      link, {std::make_shared<ObstacleReflex>(link), std::make_shared<MotionHistory>(link)});
 }
 
-std::shared_ptr<rpc::Service> makeAlMotion(RobotLink& link,
-                                           const std::shared_ptr<ObstacleReflex>& reflex) {
+std::shared_ptr<rpc::Service> makeAlMotion(RobotLink& link, const MotionObservers& observers) {
   auto service = std::make_shared<rpc::Service>(
       rpc::alModule("ALMotion", "Joint angles, stiffness, walking, and facts about the body."));
   service->startAt(kFirstFreeUid);
@@ -48,8 +50,12 @@ std::shared_ptr<rpc::Service> makeAlMotion(RobotLink& link,
   addPart<AlMotionTools>(*service, link);
   addPart<AlMotionTasks>(*service, link);
   addPart<AlMotionSwitches>(*service, link);
-  reflex->declare(*service);
-  service->owning(reflex);
+  addPart<AlMotionCollisions>(*service, link);
+  addPart<AlMotionTouch>(*service, link);
+  observers.reflex->declare(*service);
+  service->owning(observers.reflex);
+  observers.history->declare(*service);
+  service->owning(observers.history);
   addPart<AlMotionTrajectory>(*service, link);
   addPart<AlMotionInner>(*service, link);
   return service;

@@ -15,37 +15,37 @@ using rpc::Argument;
 using rpc::Value;
 
 constexpr double kNaoqiCycle = 0.02;  // [s] as getMotionCycleTime says
+constexpr std::size_t kMostPostures = 1024;
 
 struct Same {
   const char* name;
   std::uint32_t uid;
   const char* as;
-  std::vector<Value> first;  // arguments that are given already
-  std::size_t rest;          // arguments that a client gives
+  const char* parameters;    // of that one
+  std::vector<Value> given;  // its arguments, if the client gives none
+  const char* but = "";      // what is missing, of a method that is simplified
 };
 
-const rpc::Method& methodOf(const rpc::Service& service, const std::string& name,
-                            std::size_t arguments) {
+const rpc::Method& methodOf(const rpc::Service& service, const Same& same) {
   for (const auto& [uid, method] : service.methods()) {
-    if (method.name == name && method.arguments.size() == arguments) return method;
+    if (method.name == same.as && method.parameters_signature == same.parameters) return method;
   }
   NAO_CHECK(false);
   std::abort();
 }
 
-// Another name of a method, perhaps with its first arguments given.
+// Another name of a method, perhaps with its arguments given.
 void addSame(rpc::Service& service, const Same& same) {
-  rpc::Method method = methodOf(service, same.as, same.first.size() + same.rest);
+  rpc::Method method = methodOf(service, same);
   method.name = same.name;
-  method.meaning = std::string("As ") + same.as + ". " + method.meaning;
-  if (!same.first.empty()) {
-    const auto given = static_cast<std::ptrdiff_t>(same.first.size());
-    method.arguments.erase(method.arguments.begin(), method.arguments.begin() + given);
-    NAO_CHECK(same.rest == 0);
+  method.meaning = std::string("As ") + same.as + ". " + (*same.but ? same.but : method.meaning);
+  if (*same.but) method.answer = rpc::Answer::Simplified;
+  if (!same.given.empty()) {
+    method.arguments.clear();
     method.parameters_signature = "()";
-    method.call = [call = method.call, first = same.first](const rpc::Caller& caller,
+    method.call = [call = method.call, given = same.given](const rpc::Caller& caller,
                                                            const std::vector<Value>&) {
-      return call(caller, first);
+      return call(caller, given);
     };
   }
   service.add(std::move(method)).at(same.uid);
@@ -79,21 +79,26 @@ void AlMotionInner::declare(rpc::Service& service) {
   declareSame(service);
   declareBody(service);
   declareGround(service);
-  declareCollisions(service);
   declareMoving(service);
   declareOrders(service);
+  declareBalance(service);
   declareLooking(service);
   declareKept(service);
 }
 
 void AlMotionInner::declareSame(rpc::Service& service) {
+  const char* const no_pod = "A Nao has no charging pod to go to.";
   for (const Same& same :
-       {Same{"_rest", 116, "rest", {}, 1}, Same{"_setStiffnesses", 125, "setStiffnesses", {}, 2},
-        Same{"_setMpcWalkTargetVelocity", 142, "setWalkTargetVelocity", {}, 4},
-        Same{"_getStopMovePosition", 182, "getNextRobotPosition", {}, 0},
-        Same{"_setPushRecoveryEnabled", 248, "setPushRecoveryEnabled", {}, 1},
-        Same{"_getComWorld", 307, "getCOM", {"Body", 1, false}, 0},
-        Same{"_relax", 312, "rest", {}, 1}}) {
+       {Same{"_rest", 116, "rest", "(s)", {}},
+        Same{"_shutdown", 117, "rest", "()", {}, "The robot's host goes on."},
+        Same{"_setStiffnesses", 125, "setStiffnesses", "(mm)", {}},
+        Same{"_setMpcWalkTargetVelocity", 142, "setWalkTargetVelocity", "(ffff)", {}},
+        Same{"_moveToPod", 149, "moveTo", "(fff)", {}, no_pod},
+        Same{"_moveToPod", 150, "moveTo", "(fffm)", {}, no_pod},
+        Same{"_getStopMovePosition", 182, "getNextRobotPosition", "()", {}},
+        Same{"_setPushRecoveryEnabled", 248, "setPushRecoveryEnabled", "(b)", {}},
+        Same{"_getComWorld", 307, "getCOM", "(sib)", {"Body", 1, false}},
+        Same{"_relax", 312, "rest", "(s)", {}}}) {
     addSame(service, same);
   }
 }
@@ -110,22 +115,25 @@ void AlMotionInner::declareBody(rpc::Service& service) {
   const Argument posture{"postureName", "Name of a posture."};
   addFunction(
       service, "_getMotionPosture",
-      [this](const std::string& name) {
-        const Posture* found = link_.model().findPosture(name);
-        if (!found) throw rpc::CallError("unknown posture name: " + name);
-        std::vector<float> angles;
-        for (const Joint joint : jointsNamed(link_.model(), {"Body"})) {
-          angles.push_back(static_cast<float>(found->angle[joint]));
-        }
-        return angles;
-      },
+      [this](const std::string& name) { return getMotionPosture(name); },
       "The angles of the joints of Body in a posture [rad].", posture)
       .at(120);
+  addFunction(
+      service, "_setMotionPosture",
+      [this](const std::string& name, const std::vector<float>& angles) {
+        return setMotionPosture(name, angles);
+      },
+      "Keeps the angles of a posture for _getMotionPosture until the daemon ends; false for one of "
+      "the robot's own. goToPosture does not know it.",
+      posture, Argument{"bodyAngles", "One for each joint of Body [rad]."})
+      .at(119)
+      .answering(rpc::Answer::Simplified);
   addFunction(
       service, "_getMotionPostureList",
       [this] {
         std::vector<std::string> names;
         for (const Posture& known : link_.model().postures) names.push_back(known.name);
+        for (const auto& [kept, angles] : kept_postures_) names.push_back(kept);
         return names;
       },
       "The postures that _getMotionPosture knows.")
@@ -165,6 +173,33 @@ void AlMotionInner::declareBody(rpc::Service& service) {
       "Where the torso is in the world by measured joints, leaning as the inertial unit says: "
       "x, y, z [m], then its turn about them [rad].")
       .at(298);
+}
+
+std::vector<float> AlMotionInner::getMotionPosture(const std::string& name) const {
+  const auto kept = kept_postures_.find(name);
+  if (kept != kept_postures_.end()) return kept->second;
+  const Posture* found = link_.model().findPosture(name);
+  if (!found) throw rpc::CallError("unknown posture name: " + name);
+  std::vector<float> angles;
+  for (const Joint joint : jointsNamed(link_.model(), {"Body"})) {
+    angles.push_back(static_cast<float>(found->angle[joint]));
+  }
+  return angles;
+}
+
+bool AlMotionInner::setMotionPosture(const std::string& name, const std::vector<float>& angles) {
+  if (name.empty() || link_.model().findPosture(name)) return false;
+  const std::size_t joints = jointsNamed(link_.model(), {"Body"}).size();
+  if (angles.size() != joints) {
+    throw rpc::CallError("expected " + std::to_string(joints) + " angles, got " +
+                         std::to_string(angles.size()));
+  }
+  for (const float angle : angles) finite(angle);
+  if (kept_postures_.size() >= kMostPostures && kept_postures_.count(name) == 0) {
+    throw rpc::CallError("too many postures");
+  }
+  kept_postures_[name] = angles;
+  return true;
 }
 
 std::vector<float> AlMotionInner::getInertia(const std::string& name) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,19 +25,19 @@ class AlMotionInner {
   void declareSame(rpc::Service& service);
   void declareBody(rpc::Service& service);
   void declareGround(rpc::Service& service);
-  void declareCollisions(rpc::Service& service);
   void declareMoving(rpc::Service& service);
   void declareOrders(rpc::Service& service);
+  void declareBalance(rpc::Service& service);
   void declareLooking(rpc::Service& service);
   void declareKept(rpc::Service& service);
   void declareBlindZones(rpc::Service& service);
 
   Pose torsoInWorld(bool use_sensors);  // X_WT, W: the odometry's
+  std::vector<float> getMotionPosture(const std::string& name) const;
+  bool setMotionPosture(const std::string& name, const std::vector<float>& angles);
   std::vector<float> getInertia(const std::string& body) const;
   rpc::Value getFullLimits(const std::string& name) const;
   std::vector<std::vector<float>> getGroundHull();
-  rpc::Value getCollisionShapes(const std::string& name) const;
-  rpc::Value getDetectedCollisions(float nearer);
   rpc::Pending<std::vector<int>> getMoving(bool use_sensors, bool chains);
   std::vector<int> compare(const JointArray<double>& before, const JointArray<double>& after,
                            bool chains) const;
@@ -45,6 +46,7 @@ class AlMotionInner {
 
   RobotLink& link_;
   motion::Kinematics kinematics_;
+  std::map<std::string, std::vector<float>> kept_postures_;  // [rad] of Body, by name
 };
 
 }  // namespace nao::services

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/shape_gap.h"
 #include "motion/posture_family.h"
 #include "naoqi_api/services/al_motion_inner.h"
 #include "naoqi_api/services/al_motion_names.h"
@@ -16,120 +15,9 @@ using rpc::Value;
 // A joint moves that turns faster than this; free, above what a held joint's encoder shows.
 constexpr double kMoves = 0.02;  // [rad/s]
 constexpr std::chrono::milliseconds kWatched{20};
-
-const char* kindOf(const Shape& shape) {
-  switch (shape.kind) {
-    case Shape::Kind::Sphere:
-      return "Sphere";
-    case Shape::Kind::Box:
-      return "Box";
-    case Shape::Kind::Cylinder:
-      return "Cylinder";
-    case Shape::Kind::Capsule:
-      return "Pill";
-    case Shape::Kind::Hull:
-      return "Hull";
-  }
-  return "";
-}
-
-Value asList(const Vec3& vector) {
-  return Value::list({static_cast<float>(vector.x()), static_cast<float>(vector.y()),
-                      static_cast<float>(vector.z())});
-}
-
-// Whether one hangs on the other, or both on the same link.
-bool areJoined(const RobotModel& model, std::size_t a, std::size_t b) {
-  const int parent_a = model.bodies[a].parent;
-  const int parent_b = model.bodies[b].parent;
-  return a == b || parent_a == static_cast<int>(b) || parent_b == static_cast<int>(a) ||
-         (parent_a == parent_b && parent_a >= 0);
-}
-
-bool mayTouch(const RobotModel& model, std::size_t a, std::size_t b) {
-  const auto listed = [&](const std::pair<int, int>& pair) {
-    const auto first = static_cast<std::size_t>(pair.first);
-    const auto second = static_cast<std::size_t>(pair.second);
-    return (first == a && second == b) || (first == b && second == a);
-  };
-  return std::any_of(model.no_collision.begin(), model.no_collision.end(), listed);
-}
+constexpr double kRecovery = 1;  // [s]; free
 
 }  // namespace
-
-void AlMotionInner::declareCollisions(rpc::Service& service) {
-  addFunction(
-      service, "_getCollisionNames",
-      [this] {
-        std::vector<std::string> names;
-        for (const Body& body : link_.model().bodies) {
-          if (!body.collisions.empty()) names.push_back(body.name);
-        }
-        return rpc::toValue(names);
-      },
-      "The links that have collision solids.")
-      .at(239);
-  addFunction(
-      service, "_getCollisionShapes",
-      [this](const std::string& name) { return getCollisionShapes(name); },
-      "[[kind, [size], [place]], ...] of a link's solids in the link [m]: radius and length, or "
-      "three edges.",
-      Argument{"name", "Name of a link."})
-      .at(240);
-  addFunction(
-      service, "_getCollisionStateForObstacleSummary",
-      [&service](const std::string& chain) {
-        rpc::Pending<bool> told;
-        service.call("isCollision", {chain}, {}).whenDone([told](const auto& outcome) {
-          if (!outcome.value) return told.fail(outcome.error.value_or("canceled"));
-          told.resolve(*outcome.value != Value("none"));
-        });
-        return told;
-      },
-      "Whether an arm's command is near the body.", Argument{"pChainName", "LArm, RArm or Arms."})
-      .at(238);
-  addFunction(
-      service, "_getDetectedCollisions",
-      [this](float nearer) { return getDetectedCollisions(nearer); },
-      "[[link, link, distance], ...] of solids that are nearer to each other, as commanded [m].",
-      Argument{"pMinimumDistance", "[m]"})
-      .at(243);
-}
-
-Value AlMotionInner::getCollisionShapes(const std::string& name) const {
-  const auto body = link_.model().findBody(name);
-  if (!body) throw rpc::CallError("unknown link: " + name);
-  std::vector<Value> shapes;
-  for (const Shape& shape : link_.model().bodies[static_cast<std::size_t>(*body)].collisions) {
-    shapes.push_back(
-        Value::list({kindOf(shape), asList(shape.size), asList(shape.X_BS.translation())}));
-  }
-  return Value::list(std::move(shapes));
-}
-
-Value AlMotionInner::getDetectedCollisions(float nearer) {
-  const RobotModel& model = link_.model();
-  kinematics_.update(link_.state()->command.angle);
-  std::vector<Value> found;
-  for (std::size_t a = 0; a < model.bodies.size(); ++a) {
-    for (std::size_t b = a + 1; b < model.bodies.size(); ++b) {
-      if (areJoined(model, a, b) || mayTouch(model, a, b)) continue;
-      double least = nearer;
-      for (const Shape& mine : model.bodies[a].collisions) {
-        for (const Shape& other : model.bodies[b].collisions) {
-          const ShapeGap gap =
-              calcShapeGap(mine, kinematics_.getPose(static_cast<int>(a)) * mine.X_BS, other,
-                           kinematics_.getPose(static_cast<int>(b)) * other.X_BS);
-          least = std::min(least, gap.distance);
-        }
-      }
-      if (least >= nearer) continue;
-      found.push_back(
-          Value::list({model.bodies[a].name, model.bodies[b].name, static_cast<float>(least)}));
-    }
-  }
-  return Value::list(std::move(found));
-}
 
 void AlMotionInner::declareMoving(rpc::Service& service) {
   const Argument sensors{"useSensors", "True: measured joints, false: commanded."};
@@ -213,6 +101,32 @@ void AlMotionInner::declareOrders(rpc::Service& service) {
       "Commands joints to where they are measured to be.",
       Argument{"pName", "Name of a joint or chain, or a list of names."})
       .at(319);
+}
+
+void AlMotionInner::declareBalance(rpc::Service& service) {
+  addFunction(
+      service, "_fall",
+      [this](float angle) {
+        finite(angle);
+        link_.post(motion::KillAll{});
+        const auto joints = jointsNamed(link_.model(), {"Body"});
+        link_.post(motion::SetStiffness{joints, std::vector<double>(joints.size(), 0.0)});
+      },
+      "Lets go: all motions end and all joints are limp, so that the robot falls the way it leans.",
+      Argument{"pFallAngle", "Changes nothing."})
+      .at(309)
+      .answering(rpc::Answer::Simplified);
+  addFunction(
+      service, "_balanceRecovery",
+      [this] {
+        if (link_.model().feet.empty()) throw rpc::CallError("this robot has no feet");
+        if (link_.state()->move_active) link_.post(motion::StopMove{});
+        return link_.postAndWait(motion::WbGoToBalance{motion::Feet::Both, kRecovery});
+      },
+      "Ends a walk, brings the centre of mass over the middle of the feet, and waits until it is "
+      "there.")
+      .at(310)
+      .answering(rpc::Answer::Simplified);
 }
 
 void AlMotionInner::declareLooking(rpc::Service& service) {

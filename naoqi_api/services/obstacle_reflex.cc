@@ -9,6 +9,7 @@ namespace nao::services {
 namespace {
 
 using rpc::Argument;
+using rpc::Value;
 
 constexpr double kTopSpeed = 0.0952;  // [m/s] ahead, of the default walk
 constexpr double kAhead = 0.005;      // [m/s] slower walks lead nowhere; free
@@ -57,6 +58,17 @@ void ObstacleReflex::declare(rpc::Service& service) {
       "Tells of obstacles in place of those told before.",
       Argument{"obstacles", "[[x, y], ...] in the world [m]."})
       .at(276);
+  addFunction(
+      service, "_getDangerousRegion",
+      [this] {
+        const float x = orthogonal_distance_;
+        const float y = static_cast<float>(kHalfWidth);
+        return Value::list({Value::list({0.0F, -y}), Value::list({x, -y}), Value::list({x, y}),
+                            Value::list({0.0F, y})});
+      },
+      "The corners [x, y] of the floor before the robot in which an obstacle ends a walk at full "
+      "speed, in the robot's frame [m].")
+      .at(244);
   declareDistances(service);
 }
 

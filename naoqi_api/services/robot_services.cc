@@ -34,7 +34,8 @@ RobotServices::RobotServices(RobotLink& link, const RobotServicesSetup& setup)
                    return hub_ ? hub_->findRemote(name) : std::shared_ptr<rpc::RemoteObject>();
                  }),
       motion_events_(link, memory_),
-      reflex_(std::make_shared<ObstacleReflex>(link)),
+      observers_{std::make_shared<ObstacleReflex>(link),
+                 std::make_shared<MotionHistory>(link, setup.epoch)},
       speech_(memory_.store(), later(),
               [log = setup.log](const std::string& text) { log("says: " + text); }),
       system_(memory_.store(), setup.robot_name),
@@ -44,7 +45,7 @@ RobotServices::RobotServices(RobotLink& link, const RobotServicesSetup& setup)
   speech_.keepFilesIn(setup.data_dir);
   memory_.store().insert("RobotConfig/Body/SoftwareRequirement", personality_.version);
   if (personality_.has_obstacle_reflex) {
-    reflex_->enable([this](const Vec3& place) { motion_events_.tellObstacle(place); });
+    observers_.reflex->enable([this](const Vec3& place) { motion_events_.tellObstacle(place); });
   }
 }
 
@@ -80,7 +81,7 @@ void RobotServices::addTo(rpc::ServiceHub& hub) {
   hub.add(al_memory_.describe());
   hub.add(system_.describe());
   hub.add(speech_.describe());
-  hub.add(makeAlMotion(link_, reflex_));
+  hub.add(makeAlMotion(link_, observers_));
   hub.add(makeAlRobotPosture(link_));
   hub.add(makeAlFrameManager(link_, context_.warn,
                              std::make_shared<BehaviorLibrary>(behaviors_->library())));
@@ -106,7 +107,8 @@ void RobotServices::addTo(rpc::ServiceHub& hub) {
 
 void RobotServices::deliver() {
   motion_events_.deliver();
-  reflex_->deliver();
+  observers_.reflex->deliver();
+  observers_.history->deliver();
   al_memory_.deliver();
   video_.deliverImages();
 }

@@ -10,12 +10,12 @@
 #include "naoqi_api/robot_link.h"
 #include "naoqi_api/service_hub.h"
 #include "naoqi_api/services/al_memory.h"
+#include "naoqi_api/services/al_motion.h"
 #include "naoqi_api/services/al_system.h"
 #include "naoqi_api/services/al_text_to_speech.h"
 #include "naoqi_api/services/al_video_device.h"
 #include "naoqi_api/services/behavior_runner.h"
 #include "naoqi_api/services/motion_events.h"
-#include "naoqi_api/services/obstacle_reflex.h"
 #include "naoqi_api/services/service_context.h"
 
 namespace nao::services {
@@ -67,7 +67,7 @@ class RobotServices {
   rpc::ServiceHub* hub_ = nullptr;
   AlMemory al_memory_;
   MotionEvents motion_events_;
-  std::shared_ptr<ObstacleReflex> reflex_;
+  MotionObservers observers_;
   AlTextToSpeech speech_;
   AlSystem system_;
   std::shared_ptr<BehaviorRunner> behaviors_;
