@@ -24,6 +24,7 @@ class Monitor {
 
   bool stats_enabled = false;
   bool trace_enabled = false;
+  bool signals_are_traced = false;  // by a SignalTracer
 
   void record(std::uint32_t uid, float seconds);
   void clear() { statistics_.clear(); }

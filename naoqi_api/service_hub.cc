@@ -27,6 +27,16 @@ std::uint32_t ServiceHub::insert(Entry entry) {
 
 std::uint32_t ServiceHub::add(std::shared_ptr<Service> service) {
   NAO_CHECK(find(service->name()) == nullptr);
+  traceSignals(service);
+  Entry entry;
+  entry.name = service->name();
+  entry.service = std::move(service);
+  const std::uint32_t id = insert(std::move(entry));
+  setReady(id);
+  return id;
+}
+
+void ServiceHub::traceSignals(const std::shared_ptr<Service>& service) {
   SignalTracer::watch(service, [this, alive = std::weak_ptr<int>(alive_)](
                                    Service& traced, std::uint32_t uid, const auto& arguments) {
     if (alive.expired()) return;
@@ -34,12 +44,6 @@ std::uint32_t ServiceHub::add(std::shared_ptr<Service> service) {
     traced.monitor().trace(takeTraceId(), Monitor::Event::Signal, uid, Value::list(arguments),
                            now.count());
   });
-  Entry entry;
-  entry.name = service->name();
-  entry.service = std::move(service);
-  const std::uint32_t id = insert(std::move(entry));
-  setReady(id);
-  return id;
 }
 
 std::uint32_t ServiceHub::enter(ServiceInfo info, const std::shared_ptr<Session>& owner) {

@@ -79,6 +79,9 @@ class ServiceHub {
   const HubOptions& options() const { return options_; }
   Tasks& tasks() { return tasks_; }
 
+  /// Puts what its signals emit into the trace of a service, or of an object that is handed out.
+  void traceSignals(const std::shared_ptr<Service>& service);
+
   /// A number for a call that is traced, never used before; not 0.
   std::uint32_t takeTraceId() { return next_trace_id_++; }
 

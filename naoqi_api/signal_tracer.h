@@ -15,19 +15,20 @@ class SignalTracer : public std::enable_shared_from_this<SignalTracer> {
  public:
   using Trace = std::function<void(Service&, std::uint32_t uid, const std::vector<Value>&)>;
 
-  /// From now on, as long as `service` lives; `trace` is told of every emission.
+  /// From now on, as long as `service` lives; `trace` is told of every emission. A service that is
+  /// watched already stays with the trace it has.
   static void watch(const std::shared_ptr<Service>& service, Trace trace);
 
  private:
   SignalTracer(std::weak_ptr<Service> service, Trace trace)
       : service_(std::move(service)), trace_(std::move(trace)) {}
 
-  void follow(bool wanted);
-  void follow(std::uint32_t uid, const Emitter& emitter);
+  void listenIf(bool wanted);
+  void listenTo(std::uint32_t uid, const Emitter& emitter);
 
   std::weak_ptr<Service> service_;
   Trace trace_;
-  std::vector<std::pair<Emitter, std::uint64_t>> followed_;  // and the links
+  std::vector<std::pair<Emitter, std::uint64_t>> links_;  // while somebody wants the trace
 };
 
 }  // namespace nao::rpc

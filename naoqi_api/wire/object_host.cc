@@ -59,6 +59,7 @@ void ObjectHost::encode(Bytes& out, const ObjectRef& object) {
     if (handed_out_.size() >= kMost) throw CodecError("too many objects handed out");
     id = next_object_++;
     handed_out_[{giver_, id}] = service;
+    hub_.traceSignals(service);
   }
   const rpc::Service nothing("", "");
   encodeMetaObject(out, metaObjectOf(service ? *service : nothing,

@@ -307,6 +307,59 @@ TEST_F(QiConnectionTest, TracesTellOfSignals) {
   EXPECT_EQ(fields[3], Value::list({7, "x"}));
 }
 
+/// A client that holds an object with a signal, handed out by value.
+class ObjectByValue : public QiConnectionTest {
+ protected:
+  ObjectByValue() {
+    const std::function<std::shared_ptr<rpc::Service>()> give = [this] { return bell_; };
+    const std::uint32_t giver = demo_.hub.add(rpc::Service("Giver", "").method("give", give, ""));
+    for (int i = 0; i < 2; ++i) {
+      client_.call({giver, 1, 100}, Value::tuple({}));
+      const auto reply = client_.next();
+      Decoder decoder(reply->payload);
+      decoder.read(metaObjectSignature());
+      decoder.number<std::uint32_t>();
+      object_ = {giver, decoder.number<std::uint32_t>(), 0};
+    }
+  }
+  Value ask(std::uint32_t action, std::vector<Value> arguments, const std::string& returns) {
+    client_.call({object_.service, object_.object, action}, Value::tuple(std::move(arguments)));
+    return client_.nextValue(returns);
+  }
+  static std::shared_ptr<rpc::Service> makeBell(const rpc::Signal<int>& ring) {
+    const std::function<int(int)> twice = [](int number) { return 2 * number; };
+    return std::make_shared<rpc::Service>(
+        rpc::Service("Bell", "").method("twice", twice, "", rpc::Argument{}).signal("ring", ring));
+  }
+
+  rpc::Signal<int> ring_;
+  std::shared_ptr<rpc::Service> bell_ = makeBell(ring_);
+  Address object_;
+};
+
+TEST_F(ObjectByValue, ItsTraceTellsOfItsCallsAndOnceOfEachSignal) {
+  ask(0, {object_.service, 86U, std::uint64_t{5}}, "L");
+  const auto traced = [&] {
+    const Value event = client_.nextValue(rpc::Monitor::kTraceSignature);
+    return (*event.findItems())[0].findItems()->at(1).to<int>();
+  };
+  ring_(7);
+  EXPECT_EQ(traced(), 4);
+  EXPECT_FALSE(client_.next());
+  client_.call({object_.service, object_.object, 100}, Value::tuple({4}));
+  EXPECT_EQ(traced(), 1);
+  EXPECT_EQ(client_.nextValue("i"), Value(8));
+  EXPECT_EQ(traced(), 2);
+}
+
+TEST_F(ObjectByValue, ItsStatisticsCountItsCalls) {
+  ask(81, {true}, "v");
+  EXPECT_EQ(ask(100, {4}, "i"), Value(8));
+  const Value statistics = ask(82, {}, rpc::Monitor::kStatisticsSignature);
+  ASSERT_EQ(statistics.find<Value::Map>()->entries.size(), 1U);
+  EXPECT_EQ(statistics.find<Value::Map>()->entries[0].first, Value(100U));
+}
+
 TEST_F(QiConnectionTest, AnotherVersionOfTheProtocolIsRefused) {
   Message message;
   message.version = 1;
