@@ -50,9 +50,13 @@ Pending<std::shared_ptr<Service>> ClientObject::offer() {
     result.resolve(std::move(made));
     return result;
   }
+  // Asked once for all who wait, so that their calls keep their order.
+  if (asked_) return *asked_;
+  asked_ = result;
   callMember(base_action::kMetaObject, Value::tuple({0U}), Signature::of("(I)"),
              metaObjectSignature())
       .whenDone([self = shared_from_this(), result](const rpc::Outcome<Value>& metaobject) {
+        self->asked_.reset();
         if (!metaobject.value) return result.fail(metaobject.error.value_or("canceled"));
         self->learn(*metaobject.value);
         self->offer().whenDone([result](const auto& known) { result.resolve(*known.value); });

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,6 +56,7 @@ class ClientObject : public rpc::RemoteObject, public std::enable_shared_from_th
   Value metaobject_;  // void: not known yet
   std::vector<Method> methods_;
   std::weak_ptr<rpc::Service> offered_;
+  std::optional<rpc::Pending<std::shared_ptr<rpc::Service>>> asked_;  // for the metaobject
 };
 
 }  // namespace nao::wire

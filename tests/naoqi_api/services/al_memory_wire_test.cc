@@ -153,6 +153,36 @@ TEST_F(AlMemoryWireTest, CallsTheModuleOfAClientWithoutWaitingForIt) {
   EXPECT_EQ(wire::Decoder(call->payload).read("(sms)"), Value::tuple("(sms)", {"ball", 5, ""}));
 }
 
+TEST_F(AlMemoryWireTest, AMicroEventCallsTheModuleEachTimeWithTheMessageOfItsSubscription) {
+  const auto uid = [this](const char* name, const std::vector<Value>& arguments) {
+    return hub_.findService("ALMemory")->findMethod(name, arguments)->uid;
+  };
+  registerModule();
+  client_.call({id_, 1, uid("subscribeToMicroEvent", {"", "", "", ""})},
+               Value::tuple({"micro", "Module", "hello", "onBall"}));
+  ASSERT_EQ(client_.next()->type, MessageType::Reply);
+  const Address raise_micro{id_, 1, uid("raiseMicroEvent", {"", 0})};
+  for (int i = 0; i < 2; ++i) {  // the same value: an event would come once
+    other_.call(raise_micro, Value::tuple("(sm)", {"micro", 5}));
+    EXPECT_EQ(other_.next()->type, MessageType::Reply);
+  }
+  const auto question = client_.next();
+  ASSERT_TRUE(question);
+  answer(*question, describeModule());
+  for (int i = 0; i < 2; ++i) {
+    const auto call = client_.next();
+    ASSERT_TRUE(call) << i;
+    EXPECT_EQ(wire::Decoder(call->payload).read("(sms)"),
+              Value::tuple("(sms)", {"micro", 5, "hello"}));
+    answer(*call, Value());
+  }
+  client_.call({id_, 1, uid("unsubscribeToMicroEvent", {"", ""})},
+               Value::tuple({"micro", "Module"}));
+  ASSERT_EQ(client_.next()->type, MessageType::Reply);
+  other_.call(raise_micro, Value::tuple("(sm)", {"micro", 6}));
+  EXPECT_FALSE(client_.next());
+}
+
 TEST_F(AlMemoryWireTest, AModulesSubscriptionGoesWithItsClient) {
   registerModule();
   client_.call({id_, 1, 140}, Value::tuple({"ball", "Module", "onBall"}));
