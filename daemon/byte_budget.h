@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <utility>
 
 namespace nao::daemon {
 
@@ -22,6 +24,25 @@ class ByteBudget {
 
  private:
   std::size_t used_ = 0;
+};
+
+/// What one client leaves lying, given back when it goes.
+class BudgetShare {
+ public:
+  explicit BudgetShare(std::shared_ptr<ByteBudget> budget) : budget_(std::move(budget)) {}
+  ~BudgetShare() { (void)change(0); }
+  BudgetShare(const BudgetShare&) = delete;
+  BudgetShare& operator=(const BudgetShare&) = delete;
+
+  /// It leaves `now` bytes. False: it is to be closed.
+  [[nodiscard]] bool change(std::size_t now) {
+    return budget_->change(std::exchange(bytes_, now), now);
+  }
+  std::size_t bytes() const { return bytes_; }
+
+ private:
+  std::shared_ptr<ByteBudget> budget_;
+  std::size_t bytes_ = 0;
 };
 
 }  // namespace nao::daemon

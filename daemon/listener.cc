@@ -33,42 +33,44 @@ void listenOn(tcp::acceptor& acceptor, const std::string& host, std::uint16_t po
 
 }  // namespace
 
-Listener::Listener(boost::asio::io_context& io, const Address& address, Take take)
-    : take_(std::move(take)) {
+Listener::Listener(boost::asio::io_context& io, const Address& address, const Take& take) {
   NAO_CHECK(!address.hosts.empty());
   std::uint16_t port = address.port;
   for (const std::string& host : address.hosts) {
-    Door& door = doors_.emplace_back(io);
-    listenOn(door.acceptor, host, port, address.option);
+    doors_.push_back(std::make_shared<Door>(io, take));
+    listenOn(doors_.back()->acceptor, host, port, address.option);
     port = this->port();
   }
-  for (Door& door : doors_) accept(door);
+  for (const auto& door : doors_) door->accept();
 }
 
 Listener::~Listener() { close(); }
 
 void Listener::close() {
-  boost::system::error_code ignored;
-  for (Door& door : doors_) {
-    door.acceptor.close(ignored);
-    door.breath.cancel();
-  }
+  for (const auto& door : doors_) door->close();
 }
 
-void Listener::accept(Door& door) {
-  door.acceptor.async_accept(
-      [this, &door](const boost::system::error_code& error, tcp::socket socket) {
-        if (error == boost::asio::error::operation_aborted) return;  // it may be gone
-        if (!door.acceptor.is_open()) return;
-        if (!error) {
-          take_(std::move(socket));
-          return accept(door);
-        }
-        door.breath.expires_after(kBreath);
-        door.breath.async_wait([this, &door](const auto& stopped) {
-          if (!stopped) accept(door);
-        });
+void Listener::Door::close() {
+  boost::system::error_code ignored;
+  acceptor.close(ignored);
+  breath.cancel();
+}
+
+void Listener::Door::accept() {
+  acceptor.async_accept(
+      [self = shared_from_this()](const boost::system::error_code& error, tcp::socket socket) {
+        if (!self->acceptor.is_open()) return;
+        if (error) return self->acceptLater();
+        self->take(std::move(socket));
+        if (self->acceptor.is_open()) self->accept();
       });
+}
+
+void Listener::Door::acceptLater() {
+  breath.expires_after(kBreath);
+  breath.async_wait([self = shared_from_this()](const auto& stopped) {
+    if (!stopped && self->acceptor.is_open()) self->accept();
+  });
 }
 
 }  // namespace nao::daemon

@@ -13,18 +13,20 @@ namespace {
 constexpr std::chrono::seconds kLongestPoll{20};
 constexpr std::chrono::seconds kAway{25};  // between two polls; as the handshake says
 constexpr char kNothing[] = "8::";
+constexpr char kEnded[] = "0::";
 
 }  // namespace
 
 PollSession::PollSession(WebServer& server, boost::asio::any_io_executor executor,
                          const std::string& endpoint)
-    : server_(server), executor_(std::move(executor)), clock_(executor_) {
+    : server_(server), executor_(std::move(executor)), clock_(executor_), share_(server.budget()) {
   connection_ = std::make_unique<wire::QijsConnection>(
       server_.hub(), endpoint, [this](std::string text) { send(std::move(text)); },
       [this] { leaveSoon(); });
 }
 
 void PollSession::poll(Answer answer) {
+  if (is_closed_) return answer(kEnded);
   if (waiting_) answerWith(kNothing);
   waiting_ = std::move(answer);
   flush();
@@ -45,7 +47,8 @@ void PollSession::send(std::string text) {
   if (is_closed_ || overflowed_) return;
   unsent_bytes_ += text.size();
   unsent_.push_back(std::move(text));
-  overflowed_ = unsent_bytes_ > Session::kGiveUp && unsent_.size() > 1;
+  const bool fits = share_.change(unsent_bytes_);
+  overflowed_ = !fits || (unsent_bytes_ > Session::kGiveUp && unsent_.size() > 1);
   if (overflowed_) return leaveSoon();
   if (!waiting_) return;
   // What else arises in this turn of the loop goes with it.
@@ -55,6 +58,7 @@ void PollSession::send(std::string text) {
 void PollSession::flush() {
   if (is_closed_ || !waiting_ || unsent_.empty()) return;
   unsent_bytes_ = 0;
+  (void)share_.change(0);
   answerWith(wire::joinPackets(std::exchange(unsent_, {})));
   watch();
 }
@@ -87,7 +91,8 @@ void PollSession::close() {
   if (std::exchange(is_closed_, true)) return;
   clock_.cancel();
   connection_.reset();
-  if (waiting_) answerWith("0::");
+  (void)share_.change(0);
+  if (waiting_) answerWith(kEnded);
 }
 
 }  // namespace nao::daemon

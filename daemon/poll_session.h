@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "daemon/byte_budget.h"
 #include "daemon/web_server.h"
 #include "naoqi_api/wire/qijs_connection.h"
 
@@ -23,7 +24,8 @@ class PollSession : public WebClient, public std::enable_shared_from_this<PollSe
               const std::string& endpoint);
 
   /// The page asks: `answer` is called once, now or when there is something, at the latest after
-  /// kLongestPoll, with nothing to do. One that was still waiting is told that, too.
+  /// kLongestPoll, with nothing to do. One that was still waiting is told that, too. Of a session
+  /// that has ended: that it has.
   void poll(Answer answer);
 
   /// What the page says. False if that is none of its messages, or its good bye: it has gone.
@@ -45,6 +47,7 @@ class PollSession : public WebClient, public std::enable_shared_from_this<PollSe
   Answer waiting_;
   std::deque<std::string> unsent_;
   std::size_t unsent_bytes_ = 0;
+  BudgetShare share_;  // of unsent_bytes_
   bool overflowed_ = false;
   bool is_closed_ = false;
 };

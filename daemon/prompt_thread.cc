@@ -25,12 +25,12 @@ constexpr std::uint64_t kShortestSlice = 100'000;  // [ns] that the kernel takes
 
 }  // namespace
 
-void makeThreadPrompt() {
+bool makeThreadPrompt() {
   Attributes attributes;
-  if (::syscall(SYS_sched_getattr, 0, &attributes, sizeof attributes, 0) != 0) return;
-  if (attributes.policy != SCHED_OTHER) return;
+  if (::syscall(SYS_sched_getattr, 0, &attributes, sizeof attributes, 0) != 0) return false;
+  if (attributes.policy != SCHED_OTHER) return false;
   attributes.runtime_ns = kShortestSlice;
-  (void)::syscall(SYS_sched_setattr, 0, &attributes, 0);
+  return ::syscall(SYS_sched_setattr, 0, &attributes, 0) == 0;
 }
 
 }  // namespace nao::daemon

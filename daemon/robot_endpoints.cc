@@ -71,7 +71,7 @@ RobotEndpoints::RobotEndpoints(boost::asio::io_context& io, const Options& optio
   if (const auto port = options.http_port) {
     const WebContent content{readFile(options.pages + "/index.html"),
                              readFile(options.pages + "/qi.js"), options.origins};
-    web_ = std::make_unique<WebServer>(io, address(*port, "--http-port"), hub, content);
+    web_ = std::make_unique<WebServer>(io, address(*port, "--http-port"), hub, content, budget);
   }
 }
 

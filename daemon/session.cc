@@ -16,7 +16,7 @@ Session::Session(boost::asio::any_io_executor executor, std::unique_ptr<Stream> 
     : executor_(std::move(executor)),
       stream_(std::move(stream)),
       make_connection_(std::move(make_connection)),
-      budget_(std::move(budget)),
+      share_(std::move(budget)),
       closed_(std::move(closed)),
       half_message_clock_(executor_),
       opening_clock_(executor_) {}
@@ -72,7 +72,7 @@ void Session::send(rpc::Bytes message) {
   } else {
     unsent_.push_back(std::move(message));
   }
-  if (unsent_bytes_ > accounted_ + kPiece) account();
+  if (unsent_bytes_ > share_.bytes() + kPiece) account();
   if (unsent_bytes_ > kStopReading && connection_) connection_->hold();
   if (unsent_bytes_ > kGiveUp && unsent_.size() > 1) {  // one large answer alone may go
     overflowed_ = true;
@@ -84,9 +84,7 @@ void Session::send(rpc::Bytes message) {
 
 void Session::account() {
   const std::size_t now = unsent_bytes_ + (connection_ ? connection_->bytesHeld() : 0);
-  const bool fits = budget_->change(accounted_, now);
-  accounted_ = now;
-  if (fits || overflowed_) return;
+  if (share_.change(now) || overflowed_) return;
   overflowed_ = true;
   closeSoon();
 }
@@ -148,7 +146,7 @@ void Session::closeAfter(boost::asio::steady_timer& clock, std::chrono::seconds 
 
 void Session::close() {
   if (std::exchange(is_closed_, true)) return;
-  (void)budget_->change(accounted_, 0);
+  (void)share_.change(0);
   const auto connection = std::move(connection_);
   stream_->close();
   half_message_clock_.cancel();

@@ -67,8 +67,7 @@ class Session : public std::enable_shared_from_this<Session> {
   boost::asio::any_io_executor executor_;
   std::unique_ptr<Stream> stream_;
   MakeConnection make_connection_;
-  std::shared_ptr<ByteBudget> budget_;
-  std::size_t accounted_ = 0;  // to it
+  BudgetShare share_;  // of bytes left lying, as counted last
   Closed closed_;
   HalfMessage half_message_;
   boost::asio::steady_timer half_message_clock_;

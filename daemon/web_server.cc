@@ -21,10 +21,11 @@ std::string hostName() {
 }  // namespace
 
 WebServer::WebServer(boost::asio::io_context& io, const Address& address, rpc::ServiceHub& hub,
-                     WebContent content)
+                     WebContent content, std::shared_ptr<ByteBudget> budget)
     : hub_(hub),
       content_(std::move(content)),
       own_name_(hostName()),
+      budget_(std::move(budget)),
       listener_(io, address, [this](boost::asio::ip::tcp::socket socket) {
         if (clients_.size() < kMostClients) serveWebClient(*this, std::move(socket));
       }) {}

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "daemon/byte_budget.h"
 #include "daemon/listener.h"
 #include "naoqi_api/service_hub.h"
 
@@ -39,7 +40,8 @@ class WebServer {
 
   /// @throws InputError naming the address when it can not be listened on.
   WebServer(boost::asio::io_context& io, const Address& address, rpc::ServiceHub& hub,
-            WebContent content);
+            WebContent content,
+            std::shared_ptr<ByteBudget> budget = std::make_shared<ByteBudget>());
   ~WebServer();
 
   std::uint16_t port() const { return listener_.port(); }
@@ -49,6 +51,7 @@ class WebServer {
   rpc::ServiceHub& hub() { return hub_; }
   const WebContent& content() const { return content_; }
   const std::string& ownName() const { return own_name_; }
+  const std::shared_ptr<ByteBudget>& budget() const { return budget_; }
   /// A session's unguessable name, to be taken up once, by a WebSocket or by polling.
   std::string startSession();
   bool takeSession(const std::string& name);
@@ -62,6 +65,7 @@ class WebServer {
   rpc::ServiceHub& hub_;
   WebContent content_;
   std::string own_name_;
+  std::shared_ptr<ByteBudget> budget_;
   std::set<std::shared_ptr<WebClient>> clients_;
   std::deque<std::string> sessions_;  // not taken up
   std::map<std::string, std::weak_ptr<PollSession>> polling_;

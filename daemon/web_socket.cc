@@ -30,6 +30,7 @@ class SocketClient : public WebClient, public std::enable_shared_from_this<Socke
       : server_(server),
         endpoint_(dialledAddress("tcp", socket)),
         stream_(std::move(socket)),
+        share_(server.budget()),
         heartbeat_(stream_.get_executor()) {
     stream_.read_message_max(wire::QijsConnection::kMaxText);
     stream_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
@@ -99,10 +100,9 @@ class SocketClient : public WebClient, public std::enable_shared_from_this<Socke
     if (is_closed_ || overflowed_) return;
     unsent_bytes_ += text.size();
     unsent_.push_back(std::move(text));
-    if (unsent_bytes_ > Session::kGiveUp && unsent_.size() > 1) {
-      overflowed_ = true;
-      return leaveSoon();
-    }
+    const bool fits = share_.change(unsent_bytes_);
+    overflowed_ = !fits || (unsent_bytes_ > Session::kGiveUp && unsent_.size() > 1);
+    if (overflowed_) return leaveSoon();
     if (!writing_) write();
   }
 
@@ -119,6 +119,7 @@ class SocketClient : public WebClient, public std::enable_shared_from_this<Socke
     if (error || is_closed_) return leave();
     unsent_bytes_ -= unsent_.front().size();
     unsent_.pop_front();
+    (void)share_.change(unsent_bytes_);
     if (!unsent_.empty()) write();
     if (!reading_ && unsent_bytes_ <= Session::kStopReading) read();
   }
@@ -127,6 +128,7 @@ class SocketClient : public WebClient, public std::enable_shared_from_this<Socke
   std::string endpoint_;
   websocket::stream<beast::tcp_stream> stream_;
   beast::flat_buffer buffer_;
+  BudgetShare share_;  // of unsent_bytes_
   boost::asio::steady_timer heartbeat_;
   std::unique_ptr<wire::QijsConnection> connection_;
   std::deque<std::string> unsent_;  // the first one is on its way

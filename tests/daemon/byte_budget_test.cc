@@ -22,5 +22,25 @@ TEST(ByteBudget, WhoLeavesLittleOrTakesAwayIsNotClosed) {
   EXPECT_TRUE(budget.change(2 * ByteBudget::kMost, ByteBudget::kMost));
 }
 
+TEST(BudgetShare, IsGivenBackWhenItsClientGoes) {
+  const auto budget = std::make_shared<ByteBudget>();
+  {
+    BudgetShare share(budget);
+    EXPECT_TRUE(share.change(100));
+    EXPECT_TRUE(share.change(70));
+    EXPECT_EQ(budget->used(), 70U);
+  }
+  EXPECT_EQ(budget->used(), 0U);
+}
+
+TEST(BudgetShare, WhoLeavesMuchWhenAllIsUsedIsToBeClosed) {
+  const auto budget = std::make_shared<ByteBudget>();
+  BudgetShare first(budget);
+  BudgetShare second(budget);
+  EXPECT_TRUE(first.change(ByteBudget::kMost));
+  EXPECT_TRUE(second.change(ByteBudget::kLittle));
+  EXPECT_FALSE(second.change(ByteBudget::kLittle + 1));
+}
+
 }  // namespace
 }  // namespace nao::daemon
