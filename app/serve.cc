@@ -131,7 +131,8 @@ void addServe(CLI::App& app) {
   command
       ->add_option(
           "--data-dir", options.data_dir,
-          "Where the files are that clients play, record and write; they see no other folder.")
+          "Where the files are that clients play, record and write, and what they have the robot\n"
+          "keep: preferences, postures. They see no other folder.")
       ->check(CLI::ExistingDirectory);
   command->add_option("--naoqi", options.naoqi,
                       "The NAOqi to be like where versions differ: 1.12, 1.14, 2.1, 2.5, 2.8 or\n"

@@ -62,6 +62,7 @@ Personality Personality::naoqi(const std::string& version) {
     personality.capabilities["RelativeEndpointURI"] = release.relative;
     personality.capabilities["RemoteCancelableCalls"] = release.cancels;
     personality.needs_authentication = release.strict;
+    personality.hides_newer = true;
     personality.has_obstacle_reflex = release.reflex;
     personality.numbers_first_window = release.numbers;
     personality.service_info = release.service_info;
@@ -75,6 +76,7 @@ Personality Personality::naoqiOf(const std::string& robot_version) {
     if (robot_version.rfind(hardware.version, 0) != 0) continue;
     Personality personality = naoqi(hardware.naoqi);
     personality.capabilities = naoqi().capabilities;
+    personality.hides_newer = false;
     return personality;
   }
   return naoqi();

@@ -27,6 +27,10 @@ struct Personality {
   /// Whether ALVideoDevice numbers the first window of a name, too (name_0); 1.x did not.
   bool numbers_first_window = true;
 
+  /// Whether it has no services and methods that came later. A user who asks for a version gets
+  /// it so; one who only chose a robot keeps them, for programs of all times.
+  bool hides_newer = false;
+
   services::ServiceInfoFields service_info = services::ServiceInfoFields::Six;
 
   /// Whether metaobjects carry the texts about members; libqi's own have none.

@@ -142,6 +142,12 @@ Service& Service::allAnswering(Answer answer) {
   return *this;
 }
 
+void Service::removeMethods(const std::set<std::string>& names) {
+  for (auto method = methods_.begin(); method != methods_.end();) {
+    method = names.count(method->second.name) > 0 ? methods_.erase(method) : std::next(method);
+  }
+}
+
 Service& Service::startAt(std::uint32_t uid) {
   next_uid_ = uid;
   return *this;

@@ -81,13 +81,12 @@ class Service {
 
   template <class T>
   Service& property(std::string name, const Property<T>& property) {
-    return addProperty(
-        {0, std::move(name), signatureOf<T>(), property.emitter(),
-         [property] { return Pending<Value>::done(toValue(property.get())); },
-         [property](const Value& value) {
-           property.set(ValueType<T>::read(value));
-           return Pending<void>::done();
-         }});
+    return addProperty({0, std::move(name), signatureOf<T>(), property.emitter(),
+                        [property] { return Pending<Value>::done(toValue(property.get())); },
+                        [property](const Value& value) {
+                          property.set(ValueType<T>::read(value));
+                          return Pending<void>::done();
+                        }});
   }
 
   /// Gives the member declared last this uid instead of the next free one. A member that had got
@@ -107,6 +106,9 @@ class Service {
   void change(const Change& change) {
     for (auto& [uid, method] : methods_) change(method);
   }
+
+  /// Takes away the methods of these names, before any client knows of them.
+  void removeMethods(const std::set<std::string>& names);
 
   /// Members that follow count from this uid.
   Service& startAt(std::uint32_t uid);

@@ -1,12 +1,11 @@
 #include "naoqi_api/services/al_preferences.h"
 
-#include <map>
 #include <string>
 #include <utility>
 
 #include "naoqi_api/al_module.h"
-#include "naoqi_api/memory/value_size.h"
 #include "naoqi_api/services/naoqi_method.h"
+#include "naoqi_api/services/preferences.h"
 
 namespace nao::services {
 namespace {
@@ -15,43 +14,30 @@ using rpc::Argument;
 using rpc::CallError;
 using rpc::Value;
 
-constexpr std::size_t kMostBytes = 16U << 20U;  // of all values; free
+constexpr int kDeepest = 16;  // preferences within preferences
 
-/// Values by domain and key.
-class Preferences {
- public:
-  using Domain = std::map<std::string, Value>;
-
-  void set(const std::string& domain, const std::string& key, const Value& value) {
-    if (memory::holdsObject(value)) throw CallError("an object can not be kept");
-    const std::size_t size = domain.size() + key.size() + memory::sizeOf(value);
-    if (bytes_ + size > kMostBytes) throw CallError("there is no more room for preferences");
-    bytes_ += size;  // what is replaced still counts: a limit, not an account
-    domains_[domain][key] = value;
+// [name, description, value, [[...], ...] of those below it] as keys "name" and "name/name".
+void insertAll(memory::MemoryStore& store, const std::string& folder, const Value& preference,
+               int depth) {
+  const auto* parts = preference.findItems();
+  if (!parts || parts->size() < 3 || !parts->front().findText() || depth > kDeepest) {
+    throw CallError("expected [name, description, value, list], got " + preference.print());
   }
-  const Domain* find(const std::string& domain) const {
-    const auto found = domains_.find(domain);
-    return found == domains_.end() ? nullptr : &found->second;
+  const std::string key = folder + *parts->front().findText();
+  const auto* below = parts->size() > 3 ? (*parts)[3].findItems() : nullptr;
+  if (!below || below->empty()) {
+    store.demandRoom(key, (*parts)[2]);
+    return store.insert(key, (*parts)[2]);
   }
-  void removeValue(const std::string& domain, const std::string& key) {
-    const auto found = domains_.find(domain);
-    if (found == domains_.end() || found->second.erase(key) == 0) {
-      throw CallError("there is no preference " + key + " of " + domain);
-    }
-  }
-  void removeDomain(const std::string& domain) { domains_.erase(domain); }
-  const std::map<std::string, Domain>& domains() const { return domains_; }
-
- private:
-  std::map<std::string, Domain> domains_;
-  std::size_t bytes_ = 0;
-};
+  for (const Value& one : *below) insertAll(store, key + "/", one, depth + 1);
+}
 
 std::shared_ptr<rpc::Service> makeManager(const ServiceContext& context) {
   auto service = std::make_shared<rpc::Service>(rpc::alModule(
-      "ALPreferenceManager", "Values by domain and key, kept until the daemon ends."));
+      "ALPreferenceManager", "Values by domain and key, kept below --data-dir if there is one."));
   context.store().declareEvent("preferenceChanged", "ALPreferenceManager");
-  const auto held = std::make_shared<Preferences>();
+  const auto held =
+      std::make_shared<Preferences>(context, "preferences/" + context.robot_name + ".jsonl");
   const Argument domain{"domain", "Such as com.example.app."};
   const Argument key{"setting", "Its name."};
   addFunction(
@@ -82,7 +68,7 @@ std::shared_ptr<rpc::Service> makeManager(const ServiceContext& context) {
       "[[setting, value], ...] of a domain.", domain);
   addFunction(
       *service, "removeValue",
-      [held](const std::string& of, const std::string& name) { held->removeValue(of, name); },
+      [held](const std::string& of, const std::string& name) { held->remove(of, name); },
       "Forgets a value.", domain, key);
   addFunction(
       *service, "removeDomainValues", [held](const std::string& of) { held->removeDomain(of); },
@@ -102,17 +88,19 @@ std::shared_ptr<rpc::Service> makeManager(const ServiceContext& context) {
 }
 
 // A file of preferences is [name, description, "", [[...], ...]]; its shape is the client's.
-std::shared_ptr<rpc::Service> makeFiles() {
-  auto service = std::make_shared<rpc::Service>(
-      rpc::alModule("ALPreferences", "Preferences by file name, kept until the daemon ends."));
-  const auto held = std::make_shared<Preferences>();
+std::shared_ptr<rpc::Service> makeFiles(const ServiceContext& context) {
+  auto service = std::make_shared<rpc::Service>(rpc::alModule(
+      "ALPreferences", "Preferences by file name, kept below --data-dir if there is one."));
+  const auto held =
+      std::make_shared<Preferences>(context, "preferences/" + context.robot_name + ".files.jsonl");
   const Argument name{"fileName", "Its name, no path."};
-  const Argument save{"autoSave", "Has no effect."};
+  const Argument save{"autoSave", "Changes nothing: what is written is kept."};
   addFunction(
       *service, "readPrefFile",
       [held](const std::string& file, bool) {
         const auto* values = held->find(file);
-        return values ? values->at("") : Value::list({});
+        const auto value = values ? values->find("") : Preferences::Domain::const_iterator();
+        return values && value != values->end() ? value->second : Value::list({});
       },
       "What was written under this name; an empty list if nothing was.", name, save);
   addFunction(
@@ -123,16 +111,20 @@ std::shared_ptr<rpc::Service> makeFiles() {
       *service, "removePrefFile", [held](const std::string& file) { held->removeDomain(file); },
       "Forgets preferences.", name);
   addFunction(
-      *service, "saveToMemory", [](const Value&) { return true; },
-      "True; nothing is written to ALMemory.", Argument{"prefs", "Ignored."});
-  service->allAnswering(rpc::Answer::Simplified);
+      *service, "saveToMemory",
+      [&store = context.store()](const Value& preferences) {
+        insertAll(store, "", preferences, 0);
+        return true;
+      },
+      "Writes preferences to ALMemory, under \"name\" or \"name/name\".",
+      Argument{"prefs", "[name, description, value, list of those below it]."});
   return service;
 }
 
 }  // namespace
 
 std::vector<std::shared_ptr<rpc::Service>> makePreferences(const ServiceContext& context) {
-  return {makeManager(context), makeFiles()};
+  return {makeManager(context), makeFiles(context)};
 }
 
 }  // namespace nao::services

@@ -9,7 +9,7 @@
 namespace nao::services {
 
 /// ALPreferenceManager, values by domain and key, and ALPreferences, whole files of them as 1.x has
-/// it. Both keep what they are told in memory, until the daemon ends.
+/// it. Both outlive the daemon if there is a data directory.
 std::vector<std::shared_ptr<rpc::Service>> makePreferences(const ServiceContext& context);
 
 }  // namespace nao::services

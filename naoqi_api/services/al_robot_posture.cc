@@ -17,7 +17,8 @@ constexpr std::uint32_t kFirstFreeUid = 155;  // after the last one of a V5
 
 class AlRobotPosture {
  public:
-  explicit AlRobotPosture(RobotLink& link) : link_(link), library_(link) {}
+  AlRobotPosture(RobotLink& link, const std::filesystem::path& data_dir)
+      : link_(link), library_(link, data_dir) {}
   void declare(rpc::Service& service);
 
  private:
@@ -74,6 +75,7 @@ rpc::Pending<bool> AlRobotPosture::goToPosture(const std::string& name, float fr
   }
   rpc::Pending<bool> done;
   attempt({name, readFraction(fraction)}, max_tries_, done);
+  library_.follow(name, done);
   return done;
 }
 
@@ -135,11 +137,12 @@ void AlRobotPosture::setMaxTryNumber(int tries) {
 
 }  // namespace
 
-std::shared_ptr<rpc::Service> makeAlRobotPosture(RobotLink& link) {
+std::shared_ptr<rpc::Service> makeAlRobotPosture(RobotLink& link,
+                                                 const std::filesystem::path& data_dir) {
   auto service = std::make_shared<rpc::Service>(
       rpc::alModule("ALRobotPosture", "Named postures of the whole body."));
   service->startAt(kFirstFreeUid);
-  const auto posture = std::make_shared<AlRobotPosture>(link);
+  const auto posture = std::make_shared<AlRobotPosture>(link, data_dir);
   posture->declare(*service);
   service->owning(posture);
   return service;

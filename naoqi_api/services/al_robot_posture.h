@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 
 #include "naoqi_api/robot_link.h"
@@ -8,7 +9,9 @@
 namespace nao::services {
 
 /// ALRobotPosture: brings the robot into named postures and says in which one it is. `link` must
-/// outlive the service. I/O thread.
-std::shared_ptr<rpc::Service> makeAlRobotPosture(RobotLink& link);
+/// outlive the service. Clients' libraries of postures are below `data_dir`; empty: they keep none.
+/// I/O thread.
+std::shared_ptr<rpc::Service> makeAlRobotPosture(RobotLink& link,
+                                                 const std::filesystem::path& data_dir = {});
 
 }  // namespace nao::services

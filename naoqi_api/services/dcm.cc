@@ -8,6 +8,7 @@
 #include "naoqi_api/al_module.h"
 #include "naoqi_api/services/dcm_commands.h"
 #include "naoqi_api/services/naoqi_method.h"
+#include "naoqi_api/services/preferences.h"
 
 namespace nao::services {
 namespace {
@@ -20,6 +21,7 @@ using rpc::Value;
 using std::chrono::milliseconds;
 
 constexpr char kDevices[] = "Device/SubDeviceList/";
+const std::string kRobotConfig = "RobotConfig/";
 constexpr std::size_t kMostAliases = 1024;
 constexpr std::size_t kDeepest = 512;  // commands an actuator
 
@@ -39,7 +41,12 @@ std::optional<std::string> deviceOf(const std::string& name, const std::string& 
 class Dcm : public std::enable_shared_from_this<Dcm> {
  public:
   Dcm(ServiceContext context, std::shared_ptr<LedBoard> board)
-      : context_(std::move(context)), board_(std::move(board)) {}
+      : context_(std::move(context)),
+        board_(std::move(board)),
+        preferences_(std::make_shared<Preferences>(
+            context_, "preferences/" + context_.robot_name + ".dcm.jsonl")) {
+    tellPreferences();
+  }
 
   void declare(rpc::Service& service);
 
@@ -91,12 +98,16 @@ class Dcm : public std::enable_shared_from_this<Dcm> {
             DirectCommands::Merge merge);
   void write(const Actuator& actuator, float value, double fade);
 
+  void tellPreferences() const;
+  std::int32_t changePreference(const std::string& action, const std::string& target,
+                                const std::string& key, const Value& value);
   Value createAlias(const Value& alias);
   Pending<void> setFast(const std::string& alias, std::int32_t time,
                         const std::vector<float>& values);
 
   ServiceContext context_;
   std::shared_ptr<LedBoard> board_;
+  std::shared_ptr<Preferences> preferences_;  // of the boards
   std::map<std::string, std::vector<std::string>> aliases_;
   std::map<std::string, std::vector<Planned>> planned_;  // by light or key
 };
@@ -190,6 +201,33 @@ void Dcm::write(const Actuator& actuator, float value, double fade) {
   }
 }
 
+// What was kept when the daemon last ended.
+void Dcm::tellPreferences() const {
+  for (const auto& [target, values] : preferences_->domains()) {
+    for (const auto& [key, value] : values) {
+      context_.store().insert(kRobotConfig + target + "/" + key, value);
+    }
+  }
+}
+
+std::int32_t Dcm::changePreference(const std::string& action, const std::string& target,
+                                   const std::string& key, const Value& value) {
+  const std::string name = kRobotConfig + target + "/" + key;
+  if (action == "Add") {
+    context_.store().demandRoom(name, value);
+    preferences_->set(target, key, value);
+    context_.store().insert(name, value);
+  } else if (action == "Remove") {
+    preferences_->remove(target, key);
+    context_.store().remove(name);
+  } else if (action == "Save") {
+    preferences_->save();
+  } else {
+    throw CallError("unknown action: " + action + ", expected Add, Remove or Save");
+  }
+  return 0;
+}
+
 Value Dcm::createAlias(const Value& alias) {
   const auto* items = alias.findItems();
   if (!items || items->size() != 2) throw CallError("expected [alias, [actuator, ...]]");
@@ -255,9 +293,13 @@ void Dcm::declare(rpc::Service& service) {
       .answering(rpc::Answer::Simplified);
   addFunction(
       service, "preferences",
-      [](const std::string&, const std::string&, const std::string&, const Value&) { return 0; },
-      "Returns 0: there are no boards to keep them.", Argument{"action", "Ignored."},
-      Argument{"target", "Ignored."}, Argument{"key", "Ignored."}, Argument{"value", "Ignored."})
+      [this](const std::string& action, const std::string& target, const std::string& key,
+             const Value& value) { return changePreference(action, target, key, value); },
+      "Changes what the boards keep about the robot, the keys RobotConfig/... of ALMemory; 0. It "
+      "outlives the daemon if there is a --data-dir.",
+      Argument{"action", "Add, Remove, or Save: writes it now."},
+      Argument{"target", "Such as Head or Body."}, Argument{"key", "What follows in the key."},
+      Argument{"value", "Its value."})
       .answering(rpc::Answer::Simplified);
 }
 

@@ -99,10 +99,10 @@ void MotionEvents::tellMoveFailed(const Value& what) {
   for (const char* event : {kMoveFailed, kSafetyMoveFailed}) raise(event, what);
 }
 
-void MotionEvents::tellObstacle(const Vec3& place) {
+void MotionEvents::tellObstacle(const Vec3& place, bool under_way) {
   const auto coordinate = [&](int axis) { return Value(static_cast<float>(place[axis])); };
-  tellMoveFailed(Value::list(
-      {"Obstacle detected", 1, Value::list({coordinate(0), coordinate(1), coordinate(2)})}));
+  tellMoveFailed(Value::list({"Obstacle detected", under_way ? 1 : 0,
+                              Value::list({coordinate(0), coordinate(1), coordinate(2)})}));
 }
 
 void MotionEvents::raisePosture(const SensorFrame& sensors) {

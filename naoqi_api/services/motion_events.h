@@ -25,7 +25,7 @@ class MotionEvents {
   void deliver();
 
   /// A walk is stopped because of an obstacle, at `place` in the robot's frame.
-  void tellObstacle(const Vec3& place);
+  void tellObstacle(const Vec3& place, bool under_way);
 
  private:
   void raise(const std::string& key, const rpc::Value& value);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
+#include "naoqi_api/services/al_motion_names.h"
 #include "naoqi_api/services/naoqi_method.h"
 
 namespace nao::services {
@@ -15,6 +17,40 @@ constexpr double kTopSpeed = 0.0952;  // [m/s] ahead, of the default walk
 constexpr double kAhead = 0.005;      // [m/s] slower walks lead nowhere; free
 constexpr double kHalfWidth = 0.2;    // [m] of a Nao with its arms; free
 constexpr std::size_t kMostTold = 1024;
+
+// What the first argument of a walk says of the way ahead.
+enum class Ahead { Speed, Fraction, Target };
+
+struct WalkMethod {
+  const char* name;
+  Ahead kind;
+};
+constexpr WalkMethod kWalks[] = {{"move", Ahead::Speed},
+                                 {"moveToward", Ahead::Fraction},
+                                 {"setWalkTargetVelocity", Ahead::Fraction},
+                                 {"_setMpcWalkTargetVelocity", Ahead::Fraction},
+                                 {"moveTo", Ahead::Target},
+                                 {"walkTo", Ahead::Target},
+                                 {"_moveToPod", Ahead::Target}};
+
+// The part of top speed at which a walk would lead ahead; 0 if it does not.
+double partAhead(Ahead kind, const std::vector<Value>& arguments) {
+  const Value* first = &arguments.front();
+  while (const auto* items = first->findItems()) {  // of a path, its first point
+    if (items->empty()) return 0;
+    first = &items->front();
+  }
+  const double ahead = first->findNumber().value_or(0);
+  switch (kind) {
+    case Ahead::Speed:
+      return ahead < kAhead ? 0 : ahead / kTopSpeed;
+    case Ahead::Fraction:
+      return std::max(ahead, 0.0);
+    case Ahead::Target:
+      return ahead > 0 ? 1 : 0;
+  }
+  return 0;
+}
 
 // Whether a name stands for a part: itself, both of its kind, or all.
 bool covers(const std::string& name, const std::string& part) {
@@ -49,11 +85,13 @@ void ObstacleReflex::declare(rpc::Service& service) {
       service, "_updateObstacles",
       [this](const std::vector<std::vector<float>>& places) {
         if (places.size() > kMostTold) throw rpc::CallError("too many obstacles");
-        told_.clear();
         for (const auto& place : places) {
           if (place.size() < 2) throw rpc::CallError("expected [[x, y], ...]");
-          told_.emplace_back(place[0], place[1]);
+          finite(place[0]);
+          finite(place[1]);
         }
+        told_.clear();
+        for (const auto& place : places) told_.emplace_back(place[0], place[1]);
       },
       "Tells of obstacles in place of those told before.",
       Argument{"obstacles", "[[x, y], ...] in the world [m]."})
@@ -169,23 +207,49 @@ std::vector<float> ObstacleReflex::closest(const std::string& name, int space) {
           static_cast<float>(place->z())};
 }
 
+// Nearer than a walk ahead may come to it at this part of its top speed.
+std::optional<Vec3> ObstacleReflex::inTheWay(double part_of_top_speed) {
+  if (!isOn("Move")) return std::nullopt;
+  const auto place = nearest();
+  if (!place || std::abs(place->y()) > kHalfWidth || place->x() < 0) return std::nullopt;
+  const double part = std::min(part_of_top_speed, 1.0);
+  const double limit = tangential_distance_ + part * (orthogonal_distance_ - tangential_distance_);
+  if (place->x() > limit) return std::nullopt;
+  return place;
+}
+
 void ObstacleReflex::deliver() {
   if (!stopped_ || link_.now() == SimTime{}) return;
   const auto state = link_.state();
   if (!state->move_active) stopping_ = false;
-  if (!state->move_active || stopping_ || state->velocity.x < kAhead || !isOn("Move")) return;
-  const auto place = nearest();
-  if (!place || std::abs(place->y()) > kHalfWidth || place->x() < 0) return;
-  const double part = std::min(state->velocity.x / kTopSpeed, 1.0);
-  const double limit = tangential_distance_ + part * (orthogonal_distance_ - tangential_distance_);
-  if (place->x() > limit) return;
+  if (!state->move_active || stopping_ || state->velocity.x < kAhead) return;
+  const auto place = inTheWay(state->velocity.x / kTopSpeed);
+  if (!place) return;
   try {
     link_.post(motion::StopMove{});
   } catch (const rpc::CallError&) {
     return;  // the robot is busy; the next cycle comes soon
   }
   stopping_ = true;
-  stopped_(*place);
+  stopped_(*place, Walk::Ended);
+}
+
+void ObstacleReflex::guard(rpc::Service& service) {
+  service.change([this](rpc::Method& method) {
+    const auto walk = std::find_if(std::begin(kWalks), std::end(kWalks),
+                                   [&](const WalkMethod& one) { return method.name == one.name; });
+    if (walk == std::end(kWalks)) return;
+    method.call = [this, call = method.call, kind = walk->kind,
+                   tells = method.return_signature == "b"](const rpc::Caller& caller,
+                                                           const std::vector<Value>& arguments) {
+      const double part = stopped_ ? partAhead(kind, arguments) : 0;
+      const bool asks = part > 0 && link_.now() != SimTime{};
+      const auto place = asks ? inTheWay(part) : std::nullopt;
+      if (!place) return call(caller, arguments);
+      stopped_(*place, Walk::Refused);
+      return rpc::Pending<Value>::done(tells ? Value(false) : Value());
+    };
+  });
 }
 
 }  // namespace nao::services

@@ -12,20 +12,28 @@
 
 namespace nao::services {
 
-/// ALMotion's protection against what stands around the robot: a walk that leads ahead ends when
-/// the sonar hears something nearer than the security distance. That lies between the tangential
-/// and the orthogonal one, as far as the walk's velocity lies between 0 and its top (2.1
-/// documentation). An arm is never slowed: a Nao has nothing that would see beside it. I/O thread.
+/// ALMotion's protection against what stands around the robot: a walk that leads ahead ends, or
+/// does not begin, when the sonar hears something nearer than the security distance. That lies
+/// between the tangential and the orthogonal one, as far as the walk's velocity lies between 0 and
+/// its top (2.1 documentation). An arm is never slowed: a Nao has nothing that would see beside it.
+/// I/O thread.
 class ObstacleReflex {
  public:
   explicit ObstacleReflex(RobotLink& link) : link_(link), kinematics_(link.sharedModel()) {}
   void declare(rpc::Service& service);
 
+  /// Whether a walk was under way that ended, or never began.
+  enum class Walk { Refused, Ended };
+
   /// After each cycle of the robot. Nothing happens until `enable`, as NAOqi 1.x has no such
-  /// reflex; `stopped` gets the place of what ended a walk, in the robot's frame.
+  /// reflex; `stopped` gets the place of what was in the way of a walk, in the robot's frame.
   void deliver();
-  using Stopped = std::function<void(const Vec3& place)>;
+  using Stopped = std::function<void(const Vec3& place, Walk walk)>;
   void enable(Stopped stopped) { stopped_ = std::move(stopped); }
+
+  /// Has ALMotion's walks asked about first; once, after all are declared. One that is refused
+  /// returns at once, false if it returns a bool.
+  void guard(rpc::Service& service);
 
  private:
   void declareDistances(rpc::Service& service);
@@ -33,6 +41,7 @@ class ObstacleReflex {
   void set(const std::string& name, bool on);
   std::vector<std::string> protectedParts() const;
   std::optional<Vec3> nearest();  // in R
+  std::optional<Vec3> inTheWay(double part_of_top_speed);
   std::optional<Vec3> heard(std::size_t receiver) const;
   std::vector<float> closest(const std::string& name, int space);
 

@@ -16,8 +16,6 @@ using rpc::Argument;
 using rpc::CallError;
 using rpc::Value;
 
-constexpr std::size_t kMost = 1024;
-
 const Argument kId{"id", "Number of a posture."};
 const Argument kName{"name", "Name of a posture."};
 const Argument kFraction{"maxSpeedFraction", "Part of the maximum speed, up to 1."};
@@ -25,7 +23,8 @@ const Argument kIgnored{"value", "Ignored."};
 
 }  // namespace
 
-PostureLibrary::PostureLibrary(RobotLink& link) : link_(link), kinematics_(link.sharedModel()) {
+PostureLibrary::PostureLibrary(RobotLink& link, std::filesystem::path data_dir)
+    : link_(link), kinematics_(link.sharedModel()), data_dir_(std::move(data_dir)) {
   int id = 0;
   for (const Posture& posture : link.model().postures) {
     entries_[id++] = {posture.name, posture.family, posture.angle, false};
@@ -64,6 +63,7 @@ void PostureLibrary::declare(rpc::Service& service) {
   declareDistances(service);
   declareGoing(service);
   declareKept(service);
+  declareFiles(service);
 }
 
 void PostureLibrary::declareNames(rpc::Service& service) {
@@ -101,7 +101,7 @@ void PostureLibrary::declareNames(rpc::Service& service) {
 bool PostureLibrary::save(int id, const std::string& name) {
   const auto known = entries_.find(id);
   if (id < 0 || (known != entries_.end() && !known->second.saved)) return false;
-  if (known == entries_.end() && entries_.size() >= kMost) return false;
+  if (known == entries_.end() && entries_.size() >= kMostPostures) return false;
   const int same = idOf(name);
   if (!name.empty() && same >= 0 && same != id) return false;
   entries_[id] = {name, {}, link_.sensors()->angle, true};
@@ -113,6 +113,12 @@ bool PostureLibrary::rename(int id, const std::string& name) {
   if (known == entries_.end() || !known->second.saved || idOf(name) >= 0) return false;
   known->second.name = name;
   return true;
+}
+
+void PostureLibrary::eraseSaved() {
+  for (auto entry = entries_.begin(); entry != entries_.end();) {
+    entry = entry->second.saved ? entries_.erase(entry) : std::next(entry);
+  }
 }
 
 void PostureLibrary::declareSaving(rpc::Service& service) {
@@ -147,9 +153,7 @@ void PostureLibrary::declareSaving(rpc::Service& service) {
   addFunction(
       service, "_eraseAllPostures",
       [this] {
-        for (auto entry = entries_.begin(); entry != entries_.end();) {
-          entry = entry->second.saved ? entries_.erase(entry) : std::next(entry);
-        }
+        eraseSaved();
         return true;
       },
       "Forgets all saved postures.")
@@ -250,23 +254,33 @@ rpc::Pending<bool> PostureLibrary::goToEntry(const Entry& entry, double fraction
 }
 
 rpc::Pending<bool> PostureLibrary::goTo(const std::string& saved_name, double fraction) {
-  return goToEntry(at(idOf(saved_name)), fraction);
+  const auto done = goToEntry(at(idOf(saved_name)), fraction);
+  follow({saved_name}, done);
+  return done;
 }
 
-// One after the other, as long as they are reached.
-void PostureLibrary::goThrough(std::vector<int> ids, double fraction,
-                               const rpc::Pending<bool>& done) {
-  if (ids.empty()) return done.resolve(true);
-  const auto next = goToEntry(at(ids.front()), fraction);
-  ids.erase(ids.begin());
-  done.onCancel(next.canceler());
-  next.whenDone([this, ids, fraction, done](const auto& ended) {
-    if (ended.isCanceled()) return done.cancelNow();
-    if (ended.error || !*ended.value) return done.resolve(false);
+void PostureLibrary::follow(const std::string& name, const rpc::Pending<bool>& done) {
+  journey_ = std::make_shared<Journey>(Journey{{idOf(name)}, 1, done});
+}
+
+std::vector<float> PostureLibrary::currentPath() const {
+  if (!journey_ || journey_->done.isDone()) return {};
+  return {journey_->left.begin(), journey_->left.end()};
+}
+
+// As long as postures are reached.
+void PostureLibrary::goOn(const std::shared_ptr<Journey>& journey) {
+  if (journey->left.empty()) return journey->done.resolve(true);
+  const auto reached = goToEntry(at(journey->left.front()), journey->fraction);
+  journey->done.onCancel(reached.canceler());
+  reached.whenDone([this, journey](const auto& ended) {
+    if (ended.isCanceled()) return journey->done.cancelNow();
+    if (ended.error || !*ended.value) return journey->done.resolve(false);
+    journey->left.erase(journey->left.begin());
     try {
-      goThrough(ids, fraction, done);
+      goOn(journey);
     } catch (const CallError& error) {
-      done.fail(error.what());
+      journey->done.fail(error.what());
     }
   });
 }
@@ -281,10 +295,10 @@ void PostureLibrary::declareGoing(rpc::Service& service) {
   addFunction(
       service, "_applyPostures",
       [this](const std::vector<int>& ids, float fraction, bool, bool) {
-        rpc::Pending<bool> done;
         for (const int id : ids) at(id);
-        goThrough(ids, readFraction(fraction), done);
-        return done;
+        journey_ = std::make_shared<Journey>(Journey{ids, readFraction(fraction), {}});
+        goOn(journey_);
+        return journey_->done;
       },
       "Brings the robot into postures one after the other; true if it gets to all.",
       Argument{"ids", "Numbers of postures."}, kFraction, Argument{"first", "Ignored."},

@@ -17,6 +17,7 @@
 #include "naoqi_api/services/idle_extractors.h"
 #include "naoqi_api/services/life_services.h"
 #include "naoqi_api/services/system_services.h"
+#include "naoqi_api/services/version_newer.h"
 #include "naoqi_api/services/version_shapes.h"
 
 namespace nao::services {
@@ -26,7 +27,7 @@ RobotServices::RobotServices(RobotLink& link, const RobotServicesSetup& setup)
       epoch_(setup.epoch),
       video_(link.sharedModel(), setup.images, setup.epoch),
       memory_(link.model(), setup.ports, setup.robot_name, [this] { return now(); }),
-      context_{link, memory_, later(), setup.log, setup.warn, setup.data_dir},
+      context_{link, memory_, later(), setup.log, setup.warn, setup.data_dir, setup.robot_name},
       images_(setup.images),
       personality_(setup.personality),
       al_memory_(memory_,
@@ -45,7 +46,9 @@ RobotServices::RobotServices(RobotLink& link, const RobotServicesSetup& setup)
   speech_.keepFilesIn(setup.data_dir);
   memory_.store().insert("RobotConfig/Body/SoftwareRequirement", personality_.version);
   if (personality_.has_obstacle_reflex) {
-    observers_.reflex->enable([this](const Vec3& place) { motion_events_.tellObstacle(place); });
+    observers_.reflex->enable([this](const Vec3& place, ObstacleReflex::Walk walk) {
+      motion_events_.tellObstacle(place, walk == ObstacleReflex::Walk::Ended);
+    });
   }
 }
 
@@ -82,7 +85,7 @@ void RobotServices::addTo(rpc::ServiceHub& hub) {
   hub.add(system_.describe());
   hub.add(speech_.describe());
   hub.add(makeAlMotion(link_, observers_));
-  hub.add(makeAlRobotPosture(link_));
+  hub.add(makeAlRobotPosture(link_, context_.data_dir));
   hub.add(makeAlFrameManager(link_, context_.warn,
                              std::make_shared<BehaviorLibrary>(behaviors_->library())));
   hub.add(makeAlBehaviorManager(behaviors_));
@@ -99,10 +102,12 @@ void RobotServices::addTo(rpc::ServiceHub& hub) {
   for (const auto& service : makeIdleExtractors(context_)) hub.add(service);
   for (const auto& service : makeSystemServices(context_, behaviors_, hub)) hub.add(service);
   addDocumented(hub);
+  if (personality_.hides_newer) removeNewer(hub, personality_.release);
   for (const auto& [id, entry] : hub.entries()) {
     if (entry.service) rpc::addShortWait(*entry.service);
   }
   applyVersion(hub, personality_);
+  observers_.reflex->guard(*hub.findService("ALMotion"));
 }
 
 void RobotServices::deliver() {

@@ -18,6 +18,7 @@ struct ServiceContext {
   std::function<void(const std::string&)> log;   // what a robot would be seen or heard to do
   std::function<void(const std::string&)> warn;  // what is left out, a sentence
   std::filesystem::path data_dir;                // clients' files; empty: they have none
+  std::string robot_name;                        // as its user named it
 
   memory::MemoryStore& store() const { return memory.store(); }
 };

@@ -41,11 +41,38 @@ TEST_F(ObstacleReflexTest, IsOffWhenItIsSwitchedOff) {
   EXPECT_TRUE(walks());
 }
 
+TEST_F(ObstacleReflexTest, AWalkTowardsAnObstacleDoesNotBegin) {
+  call("ALMotion", "wakeUp");
+  putObstacle(0.3);
+  const std::vector<std::pair<std::string, std::vector<Value>>> walks_ahead = {
+      {"move", {0.09F, 0.0F, 0.0F}},
+      {"moveToward", {1.0F, 0.0F, 0.0F}},
+      {"moveTo", {0.5F, 0.0F, 0.0F}},
+      {"moveTo", {Value::list({Value::list({0.5F, 0.0F, 0.0F})})}}};
+  for (const auto& [name, arguments] : walks_ahead) {
+    call("ALMotion", name, arguments);
+    cycle();
+    EXPECT_FALSE(walks()) << name;
+    const Value failed = data("ALMotion/MoveFailed");
+    EXPECT_EQ(failed.findItems()->at(0), Value("Obstacle detected")) << name;
+    EXPECT_EQ(failed.findItems()->at(1), Value(0)) << name;
+  }
+  EXPECT_TRUE(bench_.gait->calls.empty());
+}
+
+TEST_F(ObstacleReflexTest, AWalkAwayFromAnObstacleBegins) {
+  call("ALMotion", "wakeUp");
+  putObstacle(0.3);
+  call("ALMotion", "move", {-0.05F, 0.0F, 0.0F});
+  cycle();
+  EXPECT_FALSE(bench_.gait->calls.empty());
+}
+
 /// The reflex alone, of a robot that says how fast it walks.
 class ObstacleReflexAlone : public testing::Test {
  protected:
   ObstacleReflexAlone() {
-    reflex_.enable([](const Vec3&) {});
+    reflex_.enable([](const Vec3&, ObstacleReflex::Walk) {});
     reflex_.declare(service_);
   }
   // Whether it stops a walk at this velocity [m/s] with an obstacle 0.3 m ahead.

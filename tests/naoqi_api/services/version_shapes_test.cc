@@ -26,6 +26,9 @@ class Robot {
              const std::vector<Value>& arguments = {}) {
     return bench_.call(*hub_.findService(service), method, arguments);
   }
+  std::shared_ptr<rpc::Service> find(const std::string& service) {
+    return hub_.findService(service);
+  }
 
  private:
   RobotServicesSetup setup(const std::string& naoqi) {
@@ -39,6 +42,34 @@ class Robot {
   RobotServices services_;
   rpc::ServiceHub hub_;
 };
+
+bool has(Robot& robot, const std::string& service, const std::string& method) {
+  const auto found = robot.find(service);
+  if (!found) return false;
+  const auto& methods = found->methods();
+  return std::any_of(methods.begin(), methods.end(),
+                     [&](const auto& entry) { return entry.second.name == method; });
+}
+
+TEST(VersionShapes, WhatCameLaterIsNotThere) {
+  Robot oldest("1.12");
+  Robot old("1.14");
+  Robot later("2.1");
+  EXPECT_FALSE(has(oldest, "ALMotion", "moveTo"));
+  EXPECT_TRUE(has(oldest, "ALMotion", "walkTo"));
+  EXPECT_FALSE(has(oldest, "ALRobotPosture", "goToPosture"));
+  EXPECT_TRUE(has(old, "ALMotion", "moveTo"));
+  EXPECT_TRUE(has(old, "ALRobotPosture", "goToPosture"));
+  EXPECT_FALSE(has(old, "ALMotion", "setBreathEnabled"));
+  EXPECT_FALSE(has(old, "ALTracker", "track"));
+  EXPECT_TRUE(has(later, "ALMotion", "setBreathEnabled"));
+  EXPECT_TRUE(has(later, "ALTracker", "track"));
+}
+
+TEST(VersionShapes, ARobotThatWasChosenAloneKeepsWhatCameLater) {
+  EXPECT_TRUE(Personality::naoqi("1.14").hides_newer);
+  EXPECT_FALSE(Personality::naoqiOf("V3.3").hides_newer);
+}
 
 std::size_t limitsOfHeadYaw(Robot& robot) {
   const Value limits = robot.call("ALMotion", "getLimits", {"HeadYaw"});
