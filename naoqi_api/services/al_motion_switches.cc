@@ -132,6 +132,11 @@ void AlMotionSwitches::declareIdle(rpc::Service& service) {
       "are accepted without effect.",
       Argument{"config", "[[name, value], ...]."})
       .at(267);
+  addMethod(service, "_getMotionConfig", this, &Self::getMotionConfig,
+            "What setMotionConfig was told of a name, as text: True or False of the walk's "
+            "protections; nothing if it was not told.",
+            Argument{"pName", "Such as ENABLE_STIFFNESS_PROTECTION."})
+      .at(304);
   addMethod(service, "setBreathEnabled", this, &Self::setBreathEnabled,
             "Whether a chain breathes while nobody commands it and the robot stands.", chain,
             enable)
@@ -305,14 +310,32 @@ void AlMotionSwitches::setMotionConfig(const rpc::Value& config) {
     const auto* parts = pair.findItems();
     const bool fits = parts != nullptr && parts->size() == 2 && (*parts)[0].isString();
     if (!fits) throw rpc::CallError("expected [name, value], got " + pair.print());
-    bool* member = protectionOf(*(*parts)[0].findText(), changed);
-    if (member == nullptr) continue;
+    const std::string& name = *(*parts)[0].findText();
+    bool* member = protectionOf(name, changed);
+    if (member == nullptr) {
+      keepConfig(name, (*parts)[1].print());
+      continue;
+    }
     const auto number = (*parts)[1].findNumber();
     if (!number) throw rpc::CallError("expected true or false, got " + pair.print());
     *member = *number != 0;
   }
   link_.post(changed);
   walk_protection_ = changed;
+}
+
+void AlMotionSwitches::keepConfig(const std::string& name, const std::string& value) {
+  constexpr std::size_t kMost = 256;
+  constexpr std::size_t kLongest = 1024;
+  const bool has_room = other_config_.size() < kMost || other_config_.count(name) > 0;
+  if (has_room && name.size() + value.size() <= kLongest) other_config_[name] = value;
+}
+
+std::string AlMotionSwitches::getMotionConfig(const std::string& name) {
+  motion::SetWalkProtection now = walk_protection_;
+  if (const bool* member = protectionOf(name, now)) return *member ? "True" : "False";
+  const auto other = other_config_.find(name);
+  return other == other_config_.end() ? "" : other->second;
 }
 
 }  // namespace nao::services

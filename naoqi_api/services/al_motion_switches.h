@@ -48,6 +48,8 @@ class AlMotionSwitches {
   void setBreathConfig(const rpc::Value& config);
   rpc::Value getBreathConfig();
   void setMotionConfig(const rpc::Value& config);
+  void keepConfig(const std::string& name, const std::string& value);
+  std::string getMotionConfig(const std::string& name);
   void setEnableNotifications(bool enable) { notifications_ = enable; }
   bool areNotificationsEnabled() { return notifications_; }
 
@@ -61,6 +63,7 @@ class AlMotionSwitches {
   std::map<std::string, bool> breath_;        // by chain; off at first
   std::map<std::string, bool> idle_posture_;  // by chain; off at first
   motion::SetBreath breath_config_;
+  std::map<std::string, std::string> other_config_;  // that changes nothing
   bool notifications_ = true;
 };
 

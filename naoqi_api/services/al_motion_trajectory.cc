@@ -81,6 +81,29 @@ void appendWay(const Value& way, std::vector<Pose2>& poses, int depth) {
   }
 }
 
+Pose2 readPose(const Value& value) {
+  const auto numbers = value.to<std::vector<double>>();
+  if (numbers.size() != 3) throw CallError("expected [x, y, theta], got " + value.print());
+  return {finite(numbers[0]), finite(numbers[1]), finite(numbers[2])};
+}
+
+// The same walk for a method that returns nothing.
+rpc::Pending<void> withoutNumber(const rpc::Pending<int>& walked) {
+  rpc::Pending<void> done;
+  done.cancelsWith(walked);
+  walked.whenDone([done](const auto& outcome) {
+    if (outcome.isCanceled()) return done.cancelNow();
+    if (outcome.error) return done.fail(*outcome.error);
+    done.resolve();
+  });
+  return done;
+}
+
+const Argument kWay{
+    "path",
+    "[\"Line\", [x, y]], [\"Circle\", centre, angle], [\"Composed\", part, ...], or "
+    "[\"Holonomic\", line, turn, seconds]."};
+
 Value asList(const Pose2& pose) {
   return Value::list(
       {static_cast<float>(pose.x), static_cast<float>(pose.y), static_cast<float>(pose.theta)});
@@ -100,21 +123,24 @@ std::vector<Pose2> readWay(const Value& way) {
   return poses;
 }
 
-rpc::Pending<void> AlMotionTrajectory::walk(rpc::Service& service, const Value& way,
-                                            const Value& config) {
-  const auto points = readWay(way);
+rpc::Pending<int> AlMotionTrajectory::walk(rpc::Service& service, const Value& way,
+                                           const Pose2& start, const Value& config) {
   points_.clear();
-  for (const Pose2& point : points) points_.push_back(compose(link_.state()->position, point));
+  for (const Pose2& point : readWay(way)) points_.push_back(compose(start, point));
+  std::vector<Pose2> from_here;
+  for (const Pose2& point : points_) {
+    from_here.push_back(relativeTo(link_.state()->position, point));
+  }
   const int id = ++id_;
   walking_ = true;
-  rpc::Pending<void> done;
-  const auto walked = service.call("moveTo", {asList(points), config}, {});
+  rpc::Pending<int> done;
+  const auto walked = service.call("moveTo", {asList(from_here), config}, {});
   done.cancelsWith(walked);
   walked.whenDone([this, id, done](const auto& outcome) {
     if (id == id_) walking_ = false;
     if (outcome.isCanceled()) return done.cancelNow();
     if (outcome.error) return done.fail(*outcome.error);
-    done.resolve();
+    done.resolve(id);
   });
   return done;
 }
@@ -133,72 +159,63 @@ std::vector<Pose2> AlMotionTrajectory::left() const {
 }
 
 void AlMotionTrajectory::declare(rpc::Service& service) {
-  const Argument way{
-      "path",
-      "[\"Line\", [x, y]], [\"Circle\", centre, angle], [\"Composed\", part, ...], or "
-      "[\"Holonomic\", line, turn, seconds]."};
-  const Argument config{"moveConfig", "[[name, value], ...]"};
-  const Argument start{"poseStart", "[x, y, theta] in the world where the way begins; ignored."};
-  const Argument scale{"scaleFactor", "Changes nothing: steps take their own time."};
-  const Value none = Value::list({});
-  const char* const follow = "Walks along a line and waits until the robot is there.";
-  addFunction(
-      service, "_followPath",
-      [this, &service](const Value& path, const Value& with) { return walk(service, path, with); },
-      follow, way, config)
-      .at(151);
-  addFunction(
-      service, "_followPath",
-      [this, &service, none](const Value& path) { return walk(service, path, none); }, follow, way)
-      .at(152);
-  addFunction(
-      service, "_followPathInWorld",
-      [this, &service](const Value&, const Value& path, const Value& with) {
-        return walk(service, path, with);
-      },
-      follow, start, way, config)
-      .at(153)
-      .answering(Answer::Simplified);
-  addFunction(
-      service, "_followPathInWorld",
-      [this, &service, none](const Value&, const Value& path) { return walk(service, path, none); },
-      follow, start, way)
-      .at(154)
-      .answering(Answer::Simplified);
-  const auto along = [this, &service, none](const Value& path) {
-    rpc::Pending<int> told;
-    const auto walked = walk(service, path, none);
-    told.cancelsWith(walked);
-    walked.whenDone([told, id = id_](const auto& outcome) {
-      if (outcome.isCanceled()) return told.cancelNow();
-      if (outcome.error) return told.fail(*outcome.error);
-      told.resolve(id);
-    });
-    return told;
-  };
-  const char* const moves = "Walks along a way; its number when the robot is there.";
-  addFunction(service, "_moveAlong", along, moves, way).at(156);
-  addFunction(
-      service, "_moveAlong", [along](const Value& path, float) { return along(path); }, moves, way,
-      scale)
-      .at(157)
-      .answering(Answer::Simplified);
+  declareFollowing(service);
+  declareMoving(service);
   declareTelling(service);
 }
 
-void AlMotionTrajectory::declareTelling(rpc::Service& service) {
+void AlMotionTrajectory::declareFollowing(rpc::Service& service) {
+  const auto follow = [this, &service](const Value& path, const Value& config) {
+    return withoutNumber(walk(service, path, link_.state()->position, config));
+  };
+  const auto follow_in_world = [this, &service](const Value& start, const Value& path,
+                                                const Value& config) {
+    return withoutNumber(walk(service, path, readPose(start), config));
+  };
+  const Argument config{"moveConfig", "[[name, value], ...]"};
+  const char* const meaning = "Walks along a line and waits until the robot is there.";
+  addFunction(service, "_followPath", follow, meaning, kWay, config).at(151);
+  addFunction(
+      service, "_followPath", [follow](const Value& path) { return follow(path, Value::list({})); },
+      meaning, kWay)
+      .at(152);
+  const Argument start{"poseStart", "[x, y, theta] in the odometry's world where it begins."};
+  addFunction(service, "_followPathInWorld", follow_in_world, meaning, start, kWay, config).at(153);
+  addFunction(
+      service, "_followPathInWorld",
+      [follow_in_world](const Value& from, const Value& path) {
+        return follow_in_world(from, path, Value::list({}));
+      },
+      meaning, start, kWay)
+      .at(154);
   addFunction(
       service, "_setFollowPathSpeedFactor", [](float) {}, "Has no effect.",
       Argument{"speedFactor", "Ignored: steps take their own time."})
       .at(155)
       .answering(Answer::Simplified);
+}
+
+void AlMotionTrajectory::declareMoving(rpc::Service& service) {
+  const auto along = [this, &service](const Value& path) {
+    return walk(service, path, link_.state()->position, Value::list({}));
+  };
+  const char* const meaning = "Walks along a way; its number when the robot is there.";
+  addFunction(service, "_moveAlong", along, meaning, kWay).at(156);
   addFunction(
-      service, "_getTrajectoryId", [this] { return id_; }, "The number of the last way; 0 before.")
-      .at(158);
+      service, "_moveAlong", [along](const Value& path, float) { return along(path); }, meaning,
+      kWay, Argument{"scaleFactor", "Changes nothing: steps take their own time."})
+      .at(157)
+      .answering(Answer::Simplified);
   addFunction(
       service, "_stopAndStitchMoveAlong", [this] { link_.post(motion::StopMove{}); },
       "Ends the walk with both feet on the ground.")
       .at(159);
+}
+
+void AlMotionTrajectory::declareTelling(rpc::Service& service) {
+  addFunction(
+      service, "_getTrajectoryId", [this] { return id_; }, "The number of the last way; 0 before.")
+      .at(158);
   addFunction(
       service, "_getRemainingPath", [this](float) { return asList(left()); },
       "The corners still to come, in the world.",

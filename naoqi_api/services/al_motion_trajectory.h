@@ -28,9 +28,12 @@ class AlMotionTrajectory {
   void declare(rpc::Service& service);
 
  private:
+  void declareFollowing(rpc::Service& service);
+  void declareMoving(rpc::Service& service);
   void declareTelling(rpc::Service& service);
-  rpc::Pending<void> walk(rpc::Service& service, const rpc::Value& way,
-                          const rpc::Value& config);
+  /// @param start of the way, in the odometry's world
+  rpc::Pending<int> walk(rpc::Service& service, const rpc::Value& way, const Pose2& start,
+                         const rpc::Value& config);
   std::vector<Pose2> left() const;
 
   RobotLink& link_;

@@ -1,6 +1,7 @@
 #include "naoqi_api/services/al_tracker.h"
 
 #include <algorithm>
+#include <map>
 
 #include "naoqi_api/services/al_motion_names.h"
 #include "naoqi_api/services/naoqi_method.h"
@@ -18,6 +19,7 @@ using Names = std::vector<std::string>;
 using Follower = std::shared_ptr<TargetFollower>;
 
 const Names kModes = {"Head", "BodyRotation", "WholeBody", "Move"};
+const Names kTargets = {"RedBall", "Face", "LandMark", "LandMarks", "People", "Sound"};
 const Names kEffectors = {"None", "Arms", "LArm", "RArm"};
 
 std::vector<float> asFloats(const Vec3& place) {
@@ -83,9 +85,7 @@ void declareTargets(rpc::Service& service, const Follower& follower,
   }
   for (const char* name : {"getSupportedTargets", "getTargetNames"}) {
     addFunction(
-        service, name,
-        [] { return Names{"RedBall", "Face", "LandMark", "LandMarks", "People", "Sound"}; },
-        "The kinds of targets; only RedBall is ever seen.");
+        service, name, [] { return kTargets; }, "The kinds of targets; only RedBall is ever seen.");
   }
 }
 
@@ -94,6 +94,11 @@ void declareTracking(rpc::Service& service, const Follower& follower) {
       service, "track", [follower](const std::string& name) { follower->track(name); },
       "Follows a target from now on, as mode and effector say.",
       Argument{"target", "One that is registered."});
+  addFunction(
+      service, "trackEvent", [follower](const std::string& event) { follower->trackEvent(event); },
+      "Follows the places that an event of ALMemory tells from now on, as mode and effector say.",
+      Argument{"pEventName", "Its value begins with x, y, z in the robot's frame [m]."})
+      .answering(Answer::Simplified);
   addFunction(
       service, "stopTracker", [follower] { follower->stop(); }, "The robot stays where it is.");
   addFunction(
@@ -141,11 +146,11 @@ void declareSight(rpc::Service& service, const Follower& follower,
 void declareHow(rpc::Service& service, const Follower& follower) {
   addFunction(
       service, "getAvailableModes", [] { return kModes; },
-      "Head, BodyRotation, WholeBody (here as Head) and Move.");
+      "Head, BodyRotation, WholeBody and Move.");
   addFunction(
       service, "setMode",
       [follower](const std::string& mode) { follower->mode = oneOf(kModes, mode); },
-      "What follows besides the head: nothing, a turn on the spot, or steps.",
+      "What follows besides the head: nothing, a turn on the spot, all joints, or steps.",
       Argument{"mode", "Head, BodyRotation, WholeBody or Move."});
   addFunction(
       service, "getMode", [follower] { return follower->mode; }, "The mode; Head at first.");
@@ -182,6 +187,32 @@ void declareHow(rpc::Service& service, const Follower& follower) {
       service, "getMaximumDistanceDetection",
       [follower] { return static_cast<float>(follower->farthest); },
       "How far off a target may be [m].");
+}
+
+// The one watch looks as often as a picture comes.
+void declarePeriods(rpc::Service& service, const Follower& follower) {
+  constexpr int kPeriod_ms = 100;
+  const Argument target{"pTarget", "Name of a target."};
+  const auto periods = std::make_shared<std::map<std::string, int>>();
+  const auto known = [](const std::string& name) { return oneOf(kTargets, name); };
+  addFunction(
+      service, "setExtractorPeriod",
+      [periods, known](const std::string& name, int period) {
+        (*periods)[known(name)] = std::max(period, 1);
+      },
+      "Is kept; the ball is looked for ten times a second.", target, Argument{"pPeriod", "[ms]"})
+      .answering(Answer::Simplified);
+  addFunction(
+      service, "getExtractorPeriod",
+      [periods, known](const std::string& name) {
+        const auto kept = periods->find(known(name));
+        return kept == periods->end() ? kPeriod_ms : kept->second;
+      },
+      "What was kept; 100 before [ms].", target)
+      .answering(Answer::Simplified);
+  addFunction(
+      service, "getRobotPosition", [follower] { return follower->robotPosition(); },
+      "Where the robot is by its odometry: x, y [m], theta [rad].");
 }
 
 void declarePointing(rpc::Service& service, const Follower& follower) {
@@ -228,6 +259,7 @@ ServicePointer makeAlTracker(const ServiceContext& context,
   declareSight(*service, follower, watch);
   declareHow(*service, follower);
   declarePointing(*service, follower);
+  declarePeriods(*service, follower);
   addSettings(*service, documentedService("ALTracker"), {});
   return service;
 }

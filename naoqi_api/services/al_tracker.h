@@ -7,8 +7,8 @@
 
 namespace nao::services {
 
-/// ALTracker: head, body or steps follow a red ball; other targets are kept and never seen. Tells
-/// its events ten times a second at most. I/O thread.
+/// ALTracker: head, body or steps follow a red ball, or the places an event tells; other targets
+/// are kept and never seen. Tells its events ten times a second at most. I/O thread.
 ServicePointer makeAlTracker(const ServiceContext& context,
                              const std::shared_ptr<BallWatch>& watch);
 

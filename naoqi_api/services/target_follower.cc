@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace nao::services {
 namespace {
@@ -13,8 +14,10 @@ constexpr double kGain = 0.6;       // [1/s] of the way that is left
 constexpr double kTopSpeed = 0.06;  // [m/s]
 constexpr double kTopTurn = 0.4;    // [rad/s]
 
-constexpr double kPointFraction = 0.3;  // of the arm's top speed
-constexpr int kSearchLooks = 12;        // looks at one place while nothing is seen
+constexpr double kPointFraction = 0.3;      // of the arm's top speed
+constexpr double kLookFraction = 0.25;      // of the head's
+constexpr std::chrono::seconds kForget{1};  // what an event told
+constexpr int kSearchLooks = 12;            // looks at one place while nothing is seen
 
 double limited(double speed, double top) { return std::clamp(speed, -top, top); }
 
@@ -22,27 +25,62 @@ double limited(double speed, double top) { return std::clamp(speed, -top, top); 
 
 void TargetFollower::track(const std::string& name) {
   if (targets.count(name) == 0) throw rpc::CallError("unknown target: " + name);
-  const bool is_change = active_ != name;
-  active_ = name;
+  event_.reset();
+  begin(name);
+}
+
+void TargetFollower::trackEvent(const std::string& event) {
+  if (event.empty()) throw rpc::CallError("expected the name of an event");
+  told_at_.reset();
+  event_ = context_.store().listen(
+      event, [weak = weak_from_this()](const auto& /*key*/, const rpc::Value& value) {
+        if (const auto self = weak.lock()) self->hear(value);
+      });
+  begin(event);
+}
+
+void TargetFollower::begin(const std::string& target) {
+  const bool is_change = active_ != target;
+  active_ = target;
   seen_ = reached_ = false;
-  watch_->want("ALTracker", name == "RedBall");
-  watch_->follow(name == "RedBall");
+  const bool is_ball = !event_ && target == "RedBall";
+  watch_->want("ALTracker", is_ball);
+  watch_->follow(is_ball && mode != "WholeBody");
   if (is_change) tell("ActiveTargetChanged");
   if (!looking_) look();
+}
+
+// What is no place tells nothing.
+void TargetFollower::hear(const rpc::Value& value) {
+  const auto* items = value.findItems();
+  if (!items || items->size() < 3) return;
+  Vec3 place;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto number = (*items)[i].findNumber();
+    if (!number || !std::isfinite(*number)) return;
+    place[static_cast<Eigen::Index>(i)] = *number;
+  }
+  p_told_R_ = place;
+  told_at_ = context_.link.now();
 }
 
 void TargetFollower::stop() {
   if (active_.empty()) return;
   stand();
+  releaseBody();
   active_.clear();
+  event_.reset();
   watch_->want("ALTracker", false);
   watch_->follow(false);
   tell("ActiveTargetChanged");
 }
 
 bool TargetFollower::sees() const {
+  if (event_) return told_at_ && context_.link.now() - *told_at_ <= kForget;
   return active_ == "RedBall" && watch_->sees() && watch_->position().norm() <= farthest;
 }
+
+Vec3 TargetFollower::targetInTorso() { return event_ ? inTorso(p_told_R_, 2) : watch_->position(); }
 
 void TargetFollower::tell(const char* event) const {
   context_.store().raiseEvent(std::string("ALTracker/") + event, active_);
@@ -59,7 +97,7 @@ void TargetFollower::look() {
   seen_ = sees_now;
   if (sees_now) {
     searched_ = 0;
-    follow(watch_->position());
+    follow(targetInTorso());
   } else {
     stand();
     if (searches) search();
@@ -71,6 +109,12 @@ void TargetFollower::follow(const Vec3& p_T) {
   kinematics_.update(context_.link.sensors()->angle);
   const Vec3 p_R = kinematics_.calcRobotFrame().inverse() * p_T;
   const double bearing = std::atan2(p_R.y(), p_R.x());
+  if (mode != "WholeBody") releaseBody();
+  if (mode == "WholeBody") {
+    leadHead(p_R);
+  } else if (event_) {
+    lookAt(p_T, 0, kLookFraction);
+  }
   if (mode == "Move") {
     walkTo(p_R);
   } else if (mode == "BodyRotation") {
@@ -79,6 +123,30 @@ void TargetFollower::follow(const Vec3& p_T) {
     walking_ = true;
     post(motion::Move{{0, 0, limited(kGain * bearing, kTopTurn)}, {}});
   }
+}
+
+// All joints help the head to look there, and keep the robot over its feet.
+void TargetFollower::leadHead(const Vec3& p_R) {
+  const auto neck = motion::findEffector(context_.link.model(), "HeadYaw");
+  if (!neck || context_.link.model().feet.empty()) return;
+  if (!std::exchange(body_helps_, true)) {
+    watch_->follow(false);
+    post(motion::WbEnable{true});
+    post(motion::WbFootState{motion::FootState::Fixed, motion::Feet::Both});
+    post(motion::WbBalance{true, motion::Feet::Both});
+    post(motion::WbEffector{"Head", true});
+  }
+  const Vec3 p_NR =
+      p_R - kinematics_.calcRobotFrame().inverse() * kinematics_.calcPose(*neck).translation();
+  const double pitch = std::atan2(-p_NR.z(), std::hypot(p_NR.x(), p_NR.y()));
+  post(motion::WbEffectorTarget{"Head", Vec3(0, pitch, std::atan2(p_NR.y(), p_NR.x()))});
+}
+
+void TargetFollower::releaseBody() {
+  if (!std::exchange(body_helps_, false)) return;
+  post(motion::WbEffector{"Head", false});
+  post(motion::WbEnable{false});
+  watch_->follow(!event_ && active_ == "RedBall");
 }
 
 // To where the target is `relative` away: [x, y, turn] of the robot as seen from the target, and
@@ -130,12 +198,17 @@ Vec3 TargetFollower::inTorso(const Vec3& place, int frame) {
 std::optional<Vec3> TargetFollower::targetIn(int frame) {
   inTorso(Vec3::Zero(), frame);  // checks the frame, and takes the joints in
   if (!sees()) return std::nullopt;
-  const Vec3 p_T = watch_->position();
+  const Vec3 p_T = targetInTorso();
   if (frame == 0) return p_T;
   const Vec3 p_R = kinematics_.calcRobotFrame().inverse() * p_T;
   if (frame == 2) return p_R;
   const Pose2 at = context_.link.state()->position;
   return Vec3(rotationFromRpy(0, 0, at.theta) * p_R) + Vec3(at.x, at.y, 0);
+}
+
+std::vector<float> TargetFollower::robotPosition() const {
+  const Pose2 at = context_.link.state()->position;
+  return {static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(at.theta)};
 }
 
 void TargetFollower::lookAt(Vec3 place, int frame, double fraction) {

@@ -107,6 +107,31 @@ TEST_F(ServicesPage, NoClientCanStopTheHostOrRunCodeOnIt) {
   }
 }
 
+// One name may have several forms: the help is of the first.
+TEST_F(ServicesPage, EveryMethodOfEveryServiceHasItsHelp) {
+  int helped = 0;
+  for (const auto& [id, entry] : hub_.entries()) {
+    if (!entry.service || !declares(*entry.service, "getMethodHelp")) continue;
+    const auto list = entry.service->call("getMethodList", {}).outcome();
+    for (const rpc::Value& name : *list->value->findItems()) {
+      const auto help = entry.service->call("getMethodHelp", {name}).outcome();
+      ASSERT_TRUE(help && help->value) << entry.name << "." << name.print();
+      const auto& parts = *help->value->findItems();
+      ASSERT_EQ(parts.size(), 4U);
+      EXPECT_EQ(parts[0], name);
+      EXPECT_FALSE(parts[1].findText()->empty()) << entry.name << "." << name.print();
+      for (const rpc::Value& argument : *parts[2].findItems()) {
+        for (const rpc::Value& text : *argument.findItems()) {
+          EXPECT_FALSE(text.findText()->empty()) << entry.name << "." << name.print();
+        }
+      }
+      ++helped;
+    }
+    EXPECT_TRUE(entry.service->call("getModuleHelp", {}).outcome()->value) << entry.name;
+  }
+  EXPECT_GT(helped, 2000);
+}
+
 // The name of one row's method and how many arguments it takes; none if its shape is not known.
 struct Row {
   std::string method;

@@ -47,5 +47,12 @@ TEST_F(AlMotionTrajectoryTest, WalksAlongAWay) {
   EXPECT_NEAR(bench_.gait->target.y, 0.1, 1e-5);
 }
 
+TEST_F(AlMotionTrajectoryTest, AWayInTheWorldBeginsWhereItIsSaidTo) {
+  call("ALMotion", "wakeUp");
+  const Value start = Value::list({0.5F, 0.0F, 0.0F});
+  call("ALMotion", "_followPathInWorld", {start, line(0.2F, 0)});
+  EXPECT_NEAR(bench_.gait->target.x, 0.7, 1e-5);
+}
+
 }  // namespace
 }  // namespace nao::services

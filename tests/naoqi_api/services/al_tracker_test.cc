@@ -89,6 +89,39 @@ TEST_F(AlTrackerTest, InModeMoveTheFeetFollowUntilTheTargetIsReached) {
   EXPECT_EQ(call("ALMotion", "moveIsActive"), Value(false));
 }
 
+TEST_F(AlTrackerTest, APlaceThatAnEventTellsIsLookedAt) {
+  call("ALTracker", "trackEvent", {"my/target"});
+  EXPECT_EQ(call("ALTracker", "getActiveTarget"), Value("my/target"));
+  for (int i = 0; i < 20; ++i) {
+    call("ALMemory", "raiseEvent", {"my/target", Value::list({1.0F, 1.0F, 0.4F, "more"})});
+    run(0.1);
+  }
+  EXPECT_NEAR(angle("HeadYaw"), 0.79, 0.05);
+  EXPECT_TRUE(heard("ALTracker/TargetDetected\"my/target\""));
+  call("ALMemory", "raiseEvent", {"my/target", "nowhere"});
+  run(2);
+  EXPECT_TRUE(heard("ALTracker/TargetLost\"my/target\""));
+  call("ALTracker", "stopTracker");
+  EXPECT_EQ(services_.memory().store().listenerCount("my/target"), 0U);
+}
+
+TEST_F(AlTrackerTest, InModeWholeBodyAllJointsHelpTheHead) {
+  call("ALMotion", "angleInterpolationWithSpeed", {"Head", 0.0F, 0.5F});
+  const double hip = angle("LHipPitch");
+  call("ALTracker", "setMode", {"WholeBody"});
+  call("ALTracker", "trackEvent", {"my/target"});
+  for (int i = 0; i < 30; ++i) {
+    call("ALMemory", "raiseEvent", {"my/target", Value::list({0.5F, 0.3F, 0.0F})});
+    run(0.1);
+  }
+  EXPECT_GT(angle("HeadYaw"), 0.2);
+  EXPECT_GT(std::abs(angle("LHipPitch") - hip) + std::abs(angle("HeadPitch")), 0.05);
+  call("ALTracker", "stopTracker");
+  call("ALMotion", "angleInterpolationWithSpeed", {"HeadYaw", -0.5F, 0.5F});
+  run(0.5);
+  EXPECT_NEAR(angle("HeadYaw"), -0.5, 0.02);  // nobody leads it any more
+}
+
 TEST_F(AlTrackerTest, ALostTargetIsNotWalkedTo) {
   call("ALTracker", "setMode", {"Move"});
   call("ALTracker", "track", {"RedBall"});
