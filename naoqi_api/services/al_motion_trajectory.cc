@@ -127,14 +127,16 @@ rpc::Pending<int> AlMotionTrajectory::walk(rpc::Service& service, const Value& w
                                            const Pose2& start, const Value& config) {
   points_.clear();
   for (const Pose2& point : readWay(way)) points_.push_back(compose(start, point));
-  std::vector<Pose2> from_here;
+  std::vector<Pose2> stretches;  // each as seen from the end of the one before
+  Pose2 from = link_.state()->position;
   for (const Pose2& point : points_) {
-    from_here.push_back(relativeTo(link_.state()->position, point));
+    stretches.push_back(relativeTo(from, point));
+    from = point;
   }
   const int id = ++id_;
   walking_ = true;
   rpc::Pending<int> done;
-  const auto walked = service.call("moveTo", {asList(from_here), config}, {});
+  const auto walked = service.call("moveTo", {asList(stretches), config}, {});
   done.cancelsWith(walked);
   walked.whenDone([this, id, done](const auto& outcome) {
     if (id == id_) walking_ = false;

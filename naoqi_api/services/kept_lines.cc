@@ -85,10 +85,14 @@ void KeptLines::write(const std::vector<Line>& lines) const {
 }
 
 std::string KeptLines::putAside() const {
-  std::error_code ignored;
-  std::filesystem::rename(dataPath(data_dir_, name_), dataPath(data_dir_, name_ + kBroken),
-                          ignored);
-  return name_ + kBroken;
+  try {
+    std::error_code failed;
+    std::filesystem::rename(dataPath(data_dir_, name_), dataPath(data_dir_, name_ + kBroken),
+                            failed);
+    return failed ? name_ : name_ + kBroken;
+  } catch (const CallError&) {
+    return name_;  // behind a link
+  }
 }
 
 void KeptLines::check(const Line& line) {

@@ -32,7 +32,8 @@ class KeptLines {
   /// @throws CallError if it can not be written, or a value is none that JSON has
   void write(const std::vector<Line>& lines) const;
 
-  /// Renames a file that can not be read, so that the next write() does not end it: its new name.
+  /// Renames a file that can not be read, so that the next write() does not end it: its new name,
+  /// or the old one if it can not be renamed.
   std::string putAside() const;
 
   /// @throws CallError unless a line can be written and read again.

@@ -44,6 +44,7 @@ TEST_F(AlMotionTrajectoryTest, WalksAlongAWay) {
   EXPECT_EQ(call("ALMotion", "_getTrajectoryCompletion"), Value(1.0F));
   const auto& calls = bench_.gait->calls;
   EXPECT_EQ(std::count(calls.begin(), calls.end(), "walkTo"), 2);
+  EXPECT_NEAR(bench_.gait->target.x, 0, 1e-5);  // of the second stretch, from where the first ends
   EXPECT_NEAR(bench_.gait->target.y, 0.1, 1e-5);
 }
 

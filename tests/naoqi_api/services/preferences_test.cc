@@ -105,6 +105,13 @@ TEST_F(PreferencesTest, ABrokenFileIsOneSentenceAndIsPutAside) {
   EXPECT_NE(contentOf(folder_.path() + "/p.jsonl.broken"), "");
 }
 
+TEST_F(PreferencesTest, AFileBehindALinkIsWarnedOfAndLeftAlone) {
+  std::filesystem::create_symlink("/etc/hostname", folder_.path() + "/p.jsonl");
+  EXPECT_TRUE(open()->domains().empty());
+  ASSERT_EQ(warnings_.size(), 1U);
+  EXPECT_EQ(warnings_[0].rfind("a link is not followed", 0), 0U) << warnings_[0];
+}
+
 TEST_F(PreferencesTest, AFileOfAnotherKindIsNotRead) {
   folder_.write("p.jsonl", "{\"format\":\"usarnaoqi preferences\",\"version\":2}\n");
   open();
