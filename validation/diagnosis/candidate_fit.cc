@@ -78,7 +78,7 @@ class SizeSearch {
 
   // To the best of sizes whose beat must be met.
   Point beating(Point best) const {
-    double width = beatWidth(ensemble_.data(), best.x[0]) / 2;
+    double width = beatWidth(ensemble_.data(), best.x[0]);
     for (int i = 0; i < kNarrowed; ++i, width /= 2) {
       const double centre = best.x[0];
       for (const double size : {centre - width, centre + width}) best = better(best, size);
@@ -105,7 +105,7 @@ class SizeSearch {
   }
 
  private:
-  static constexpr int kFollowed = 3, kShortened = 3, kNarrowed = 4;
+  static constexpr int kFollowed = 3, kShortened = 3, kNarrowed = 5;
   static constexpr double kFar = 3, kNear = 0.08;
 
   Point better(const Point& best, double size) const {

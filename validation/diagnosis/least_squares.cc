@@ -31,14 +31,10 @@ class Differences {
     if (has_jacobian_) return jacobian_;
     jacobian_.resize(value_.size(), static_cast<Eigen::Index>(x.size()));
     for (std::size_t i = 0; i < x.size(); ++i) {
-      const auto column = static_cast<Eigen::Index>(i);
-      if (space_.isFixed(i)) {
-        jacobian_.col(column).setZero();
-        continue;
-      }
       std::vector<double> beside = x;
       beside[i] += differenceStep(space_, i, x[i]);
-      jacobian_.col(column) = (residual_(beside) - value_) / (beside[i] - x[i]);
+      jacobian_.col(static_cast<Eigen::Index>(i)) =
+          (residual_(beside) - value_) / (beside[i] - x[i]);
       ++evaluations_;
     }
     has_jacobian_ = true;
@@ -103,7 +99,18 @@ double differenceStep(const FitSpace& space, std::size_t i, double x) {
   return x + step <= space.upper[i] ? step : -step;
 }
 
-FitPoint leastSquares(const Residual& residual, const FitSpace& space) {
+namespace {
+
+FitPoint evaluated(Eigen::VectorXd residual) {
+  FitPoint point;
+  point.residual = std::move(residual);
+  point.cost = point.residual.squaredNorm() / 2;
+  point.evaluations = 1;
+  return point;
+}
+
+// All numbers free.
+FitPoint solve(const Residual& residual, const FitSpace& space) {
   Differences differences(residual, space);
   std::vector<double> x = space.start;
   for (std::size_t i = 0; i < x.size(); ++i)
@@ -124,6 +131,39 @@ FitPoint leastSquares(const Residual& residual, const FitSpace& space) {
   found.jacobian = differences.jacobianAt(x);
   found.cost = found.residual.squaredNorm() / 2;
   found.evaluations = differences.evaluations();
+  return found;
+}
+
+}  // namespace
+
+FitPoint leastSquares(const Residual& residual, const FitSpace& space) {
+  std::vector<std::size_t> free;
+  FitSpace varied;  // Ceres takes no number whose bounds meet
+  varied.iterations = space.iterations;
+  for (std::size_t i = 0; i < space.start.size(); ++i) {
+    if (space.isFixed(i)) continue;
+    free.push_back(i);
+    varied.start.push_back(space.start[i]);
+    varied.lower.push_back(space.lower[i]);
+    varied.upper.push_back(space.upper[i]);
+    varied.step.push_back(space.step[i]);
+  }
+  if (free.size() == space.start.size()) return solve(residual, space);
+  const auto whole = [&](const std::vector<double>& x) {
+    std::vector<double> all = space.start;
+    for (std::size_t i = 0; i < free.size(); ++i) all[free[i]] = x[i];
+    return all;
+  };
+  FitPoint found = free.empty() ? evaluated(residual(space.start))
+                                : solve([&](const auto& x) { return residual(whole(x)); }, varied);
+  const Eigen::MatrixXd slopes = found.jacobian;
+  found.jacobian =
+      Eigen::MatrixXd::Zero(found.residual.size(), static_cast<Eigen::Index>(space.start.size()));
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    found.jacobian.col(static_cast<Eigen::Index>(free[i])) =
+        slopes.col(static_cast<Eigen::Index>(i));
+  }
+  found.x = whole(found.x);
   return found;
 }
 

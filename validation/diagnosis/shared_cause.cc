@@ -105,8 +105,8 @@ class SharedFit {
   // To the best of these sizes, then as finely as all joints can tell.
   void beat(const std::vector<double>& sizes, const JointData& data) {
     for (const double x : sizes) gainAt(x);
-    double width = beatWidth(data, bestNumber()) / 2;
-    for (int round = 0; round < 4; ++round, width /= 2) {
+    double width = beatWidth(data, bestNumber());
+    for (int round = 0; round < 5; ++round, width /= 2) {
       const double centre = bestNumber();
       gainAt(centre - width);
       gainAt(centre + width);
