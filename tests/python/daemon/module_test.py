@@ -117,6 +117,7 @@ class ModuleTest(unittest.TestCase):
         offering.registerService("Clock", clock)
         remote = using.service("Clock")
         remote.tick.connect(lambda *values: heard.put(values))
+        remote.rate.value()  # there and back: by then the subscription has arrived, too
         clock.tick(1, "one")
         self.assertEqual(heard.get(timeout=SOON), (1, "one"))
         remote.rate.setValue(2)

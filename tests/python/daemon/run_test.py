@@ -81,8 +81,8 @@ class RunTest(unittest.TestCase):
         self.assertEqual(process.returncode, 5)
 
     def testCtrlCIsTheProgramsAffair(self):
-        process, _ = self.start("import signal\nfrom naoqi import ALProxy\nprint('ready')\n"
-                                "try:\n    signal.pause()\n"
+        process, _ = self.start("import signal\nfrom naoqi import ALProxy\n"
+                                "try:\n    print('ready')\n    signal.pause()\n"
                                 "except KeyboardInterrupt:\n"
                                 "    ALProxy('ALMotion').rest()\n"
                                 "    print('rests')\n")
