@@ -68,7 +68,13 @@ void LocalModules::create(const Robot& robot) const {
 
 // The library is one for all modules: the first knows its functions.
 void LocalModules::run(const Robot& robot) {
-  create(robot);
+  bool over_already = false;
+  {
+    std::unique_lock lock(mutex_);  // before the first cycle a robot senses nothing
+    changed_.wait(lock, [this] { return cycle_seen_ || end_asked_; });
+    over_already = end_asked_;
+  }
+  if (!over_already) create(robot);
   void* handle = libraries_.front().handle;
   const auto cycle = find<UsarnaoqiCycle>(handle, "usarnaoqi_sdk_cycle");
   std::unique_lock lock(mutex_);
@@ -97,6 +103,8 @@ void LocalModules::run(const Robot& robot) {
 
 bool LocalModules::beginCycle() {
   const std::lock_guard lock(mutex_);
+  if (!cycle_seen_) changed_.notify_all();
+  cycle_seen_ = true;
   if (state_ != State::Idle || end_asked_) return false;
   state_ = State::InCycle;
   given_up_ = false;

@@ -29,7 +29,8 @@ class LocalModules {
   LocalModules(const LocalModules&) = delete;
   LocalModules& operator=(const LocalModules&) = delete;
 
-  /// Makes the modules, on a thread of their own. `done` is called there after every cycle.
+  /// Makes the modules after the first cycle, on a thread of their own. `done` is called there
+  /// after every cycle.
   void start(const Robot& robot, std::function<void()> done);
 
   /// Begins what they do at the end of a cycle; false if they are busy still, or there is nothing.
@@ -62,6 +63,7 @@ class LocalModules {
   std::mutex mutex_;  // of what follows
   std::condition_variable changed_;
   State state_ = State::Starting;
+  bool cycle_seen_ = false;
   bool end_asked_ = false;
   bool given_up_ = false;  // on the cycle under way
   std::chrono::steady_clock::time_point begun_;

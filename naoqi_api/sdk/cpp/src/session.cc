@@ -161,7 +161,8 @@ void Session::take(const wire::Message& call) {
       answer.id = call.id;
       answer.address = call.address;
       answer.type = wire::MessageType::Error;
-      wire::encodeDynamic(answer.payload, Value("The call request could not be handled."));
+      wire::encodeDynamic(answer.payload, Value("no module has the number " +
+                                                std::to_string(call.address.service) + " here"));
     }
     if (call.type == wire::MessageType::Call) connection_->send(answer);
   });
