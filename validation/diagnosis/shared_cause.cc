@@ -205,7 +205,8 @@ std::optional<SharedCause> findShared(const Searches& searches, double critical,
     if (look.gain() <= critical || look.gain() < kAsGood * own) break;
     const bool tried = std::any_of(fits.begin(), fits.end(),
                                    [&](const SharedCause& one) { return one.cause == look.cause; });
-    if (tried || static_cast<int>(fits.size()) >= kTried) continue;
+    const bool beats = searches.front()->causes()[look.cause].beats;  // looked at below
+    if (tried || beats || static_cast<int>(fits.size()) >= kTried) continue;
     fits.push_back(fitShared(searches, look, critical, jobs));
   }
   if (own > 0) addBeats(searches, critical, jobs, fits);
