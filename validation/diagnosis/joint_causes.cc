@@ -145,10 +145,15 @@ void addGear(std::vector<Cause>& all) {
 }
 
 void addLoad(std::vector<Cause>& all) {
-  all.push_back(spread(one("encoder_offset", "angle", {0.01, 0.15, -0.15},
-                           "{joint}'s encoder reads {value} too much",
-                           "two orientations of the base, or an outer measurement"),
-                       0.1 * M_PI / 180));
+  Cause offset = spread(one("encoder_offset", "angle", {0.01, 0.15, -0.15},
+                            "{joint}'s encoder reads {value} too much",
+                            "two orientations of the base, or an outer measurement"),
+                        0.1 * M_PI / 180);
+  for (double angle = 0.03; angle < 0.6; angle *= 1.1) {  // [rad] a gross one meets a stop at once
+    offset.scan.push_back(angle);
+    offset.scan.push_back(-angle);
+  }
+  all.push_back(offset);
   all.push_back(spread(
       one("link_mass", "part", {0.2, -0.2}, "the link on {joint} is heavier by {value} of nominal",
           "slow and fast motion with a known mass added"),
