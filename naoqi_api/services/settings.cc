@@ -1,5 +1,6 @@
 #include "naoqi_api/services/settings.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -43,34 +44,63 @@ std::optional<std::string> settingOf(const std::string& getter) {
   return std::nullopt;
 }
 
+// setX(x), and enableX(b) of the setting XEnabled, as far as they are documented.
+std::vector<const DocumentedMethod*> settersOf(const DocumentedService& documented,
+                                               const std::string& setting,
+                                               const std::string& type) {
+  static const std::string kEnabled = "Enabled";
+  std::vector<std::string> names = {"set" + setting};
+  const std::size_t stem = setting.size() - std::min(setting.size(), kEnabled.size());
+  if (setting.substr(stem) == kEnabled) names.push_back("enable" + setting.substr(0, stem));
+  std::vector<const DocumentedMethod*> setters;
+  for (const std::string& name : names) {
+    const DocumentedMethod* setter = find(documented, name, "(" + type + ")");
+    if (setter != nullptr) setters.push_back(setter);
+  }
+  return setters;
+}
+
 rpc::Pending<Value> resolved(Value value) {
   rpc::Pending<Value> result;
   result.resolve(std::move(value));
   return result;
 }
 
-void addPair(rpc::Service& service, const DocumentedMethod& getter, const DocumentedMethod& setter,
-             Value initial) {
-  const auto held = std::make_shared<Value>(std::move(initial));
-  rpc::Method tell;
-  tell.name = getter.name;
-  tell.parameters_signature = getter.parameters;
-  tell.return_signature = getter.returns;
-  tell.meaning = "What " + setter.name + "() was told last.";
-  tell.call = [held](const rpc::Caller&, const std::vector<Value>&) { return resolved(*held); };
+rpc::Method keeping(const DocumentedMethod& setter, const std::string& getter,
+                    const std::shared_ptr<Value>& held) {
   rpc::Method keep;
   keep.name = setter.name;
   keep.parameters_signature = setter.parameters;
   keep.return_signature = setter.returns;
-  keep.meaning = "Is kept, for " + getter.name + "() to tell.";
+  keep.meaning = "Is kept, for " + getter + "() to tell.";
   keep.arguments = {{"value", "Its new value."}};
   const bool says_so = setter.returns == "b";
   keep.call = [held, says_so](const rpc::Caller&, const std::vector<Value>& arguments) {
     *held = arguments.at(0);
     return resolved(says_so ? Value(true) : Value());
   };
-  service.add(std::move(tell)).answering(rpc::Answer::Simplified);
-  service.add(std::move(keep)).answering(rpc::Answer::Simplified);
+  return keep;
+}
+
+rpc::Method telling(const DocumentedMethod& getter, const std::string& setter,
+                    const std::shared_ptr<Value>& held) {
+  rpc::Method tell;
+  tell.name = getter.name;
+  tell.parameters_signature = getter.parameters;
+  tell.return_signature = getter.returns;
+  tell.meaning = "What " + setter + "() was told last.";
+  tell.call = [held](const rpc::Caller&, const std::vector<Value>&) { return resolved(*held); };
+  return tell;
+}
+
+void addSetting(rpc::Service& service, const DocumentedMethod& getter,
+                const std::vector<const DocumentedMethod*>& setters, Value initial) {
+  const auto held = std::make_shared<Value>(std::move(initial));
+  service.add(telling(getter, setters.front()->name, held)).answering(rpc::Answer::Simplified);
+  for (const DocumentedMethod* setter : setters) {
+    if (has(service, setter->name, 1)) continue;
+    service.add(keeping(*setter, getter.name, held)).answering(rpc::Answer::Simplified);
+  }
 }
 
 void addParameters(rpc::Service& service, const SettingDefaults& defaults) {
@@ -107,11 +137,11 @@ void addSettings(rpc::Service& service, const DocumentedService& documented,
   for (const DocumentedMethod& getter : documented.methods) {
     const auto setting = settingOf(getter.name);
     if (!setting || getter.parameters != "()" || has(service, getter.name, 0)) continue;
-    const auto* setter = find(documented, "set" + *setting, "(" + getter.returns + ")");
-    if (!setter || has(service, setter->name, 1)) continue;
+    const auto setters = settersOf(documented, *setting, getter.returns);
+    if (setters.empty() || has(service, setters.front()->name, 1)) continue;
     const auto initial = defaults.find(*setting);
-    addPair(service, getter, *setter,
-            initial == defaults.end() ? nothingOf(getter.returns) : initial->second);
+    addSetting(service, getter, setters,
+               initial == defaults.end() ? nothingOf(getter.returns) : initial->second);
   }
   if (find(documented, "setParameter", "(sm)")) addParameters(service, defaults);
 }

@@ -69,6 +69,15 @@ TEST_F(BoardServices, WhoSeesNothingSaysSoOnceItIsAsked) {
   EXPECT_EQ(call("ALFaceDetection", "getResolution"), Value(2));
 }
 
+TEST_F(BoardServices, WhatIsEnabledIsToldBack) {
+  EXPECT_EQ(call("ALFaceDetection", "isTrackingEnabled"), Value(false));
+  call("ALFaceDetection", "enableTracking", {true});
+  EXPECT_EQ(call("ALFaceDetection", "isTrackingEnabled"), Value(true));
+  call("ALFaceDetection", "setTrackingEnabled", {false});
+  EXPECT_EQ(call("ALFaceDetection", "isTrackingEnabled"), Value(false));
+  EXPECT_EQ(call("ALFaceDetection", "isRecognitionEnabled"), Value(false));
+}
+
 TEST_F(BoardServices, LifeChangesItsStateByItsRules) {
   EXPECT_EQ(call("ALAutonomousLife", "getState"), Value("disabled"));
   call("ALAutonomousLife", "setState", {"solitary"});
