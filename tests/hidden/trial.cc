@@ -35,36 +35,39 @@ std::string read(const fs::path& file) {
   return text.str();
 }
 
-double childSeconds() {
-  rusage usage{};
-  getrusage(RUSAGE_CHILDREN, &usage);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+double secondsOf(const timeval& t) {
+  return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
 }
 
-// Runs a program in `folder` with an empty environment but for PATH; both outputs go to `log`.
-int runIn(const std::string& folder, const std::vector<std::string>& words,
-          const std::string& log) {
+struct Ended {
+  int code = 0;
+  double cpu = 0;  // [s] that it and its children took
+};
+
+// Runs a program in `folder` with an empty environment but for PATH; both outputs go to `log`. Any
+// number of threads may: nothing is allocated between fork and exec.
+Ended runIn(const std::string& folder, const std::vector<std::string>& words,
+            const std::string& log) {
+  std::vector<char*> arguments;
+  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  char path[] = "PATH=/usr/bin:/bin";
+  char* environment[] = {path, nullptr};
   const pid_t child = fork();
   NAO_CHECK(child >= 0);
   if (child == 0) {
-    const int out = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    const int out = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
     if (out < 0 || chdir(folder.c_str()) != 0) _exit(127);
     dup2(out, 1);
     dup2(out, 2);
-    std::vector<char*> arguments;
-    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-    arguments.push_back(nullptr);
-    char path[] = "PATH=/usr/bin:/bin";
-    char* environment[] = {path, nullptr};
     execve(arguments[0], arguments.data(), environment);
     _exit(127);
   }
   int status = 0;
-  waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  rusage usage{};
+  NAO_CHECK(wait4(child, &status, 0, &usage) == child);
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return {code, secondsOf(usage.ru_utime) + secondsOf(usage.ru_stime)};
 }
 
 Json toJson(const Score& score) {
@@ -127,15 +130,15 @@ Diagnosed diagnoseSealed(const std::string& set_folder, const std::string& robot
   fs::create_directories(report_folder);
   const std::string out = fs::absolute(report_folder).string();
   const auto begun = std::chrono::steady_clock::now();
-  const double cpu = childSeconds();
   Diagnosed diagnosed;
-  diagnosed.exit_code = runIn(
+  const Ended ended = runIn(
       set_folder,
       {fs::absolute(place.program).string(), "diagnose", ".", "--model", robot, "--robots-dir",
        fs::absolute(place.robots_dir).string(), "--out", out, "--jobs", std::to_string(place.jobs)},
       out + "/log.txt");
   diagnosed.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-  diagnosed.cpu = childSeconds() - cpu;
+  diagnosed.exit_code = ended.code;
+  diagnosed.cpu = ended.cpu;
   diagnosed.report = read(out + "/report.json");
   diagnosed.printed = read(out + "/log.txt");
   return diagnosed;
