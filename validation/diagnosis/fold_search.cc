@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kSame = 0.03;        // of the gain: rivals within it are not told apart
 constexpr int kSwaps = 3;             // causes that compete for the place of another
-constexpr std::size_t kPaired = 3;    // causes that a second one is looked for beside
 constexpr int kRounds = 8;            // of growth and review: more is going in circles
 constexpr std::size_t kManyLogs = 8;  // as blocks of their own; fewer are cut into seconds
 constexpr std::uint64_t kSeed = 1;
@@ -53,16 +52,14 @@ class FoldSearch {
   }
 
  private:
-  bool helps(const FoldErrors& before, const FoldErrors& after, int added = 1) const {
+  bool helps(const FoldErrors& before, const FoldErrors& after) const {
     std::size_t better = 0;
     for (std::size_t f = 0; f < folds_.size(); ++f) {
       if (after.held_out[f] < before.held_out[f]) ++better;
     }
-    return 2 * better > folds_.size() &&
-           after.mean() < (1 - added * options_.least_gain) * before.mean();
+    return 2 * better > folds_.size() && after.mean() < (1 - options_.least_gain) * before.mean();
   }
 
-  // One more cause; where none helps alone, two at once.
   bool grow() {
     const std::vector<FoldTried> tried =
         fits_.tryAll(model_, fits_.screened(model_, options_.tried));
@@ -72,33 +69,8 @@ class FoldSearch {
       take(one, tried, before.mean());
       return true;
     }
-    if (growByTwo(tried)) return true;
     for (const FoldTried& one : tried) held_back_[one.cause] = one.model.errors.mean();
     return false;
-  }
-
-  // Some causes show only beside another: dry friction that grows with the load and a servo's weak
-  // start both stop a joint short, each alone in the wrong places.
-  bool growByTwo(const std::vector<FoldTried>& tried) {
-    if (static_cast<int>(model_.of_all.size()) + 2 > options_.most_causes) return false;
-    const FoldTried *first = nullptr, *second = nullptr;
-    std::vector<std::vector<FoldTried>> pairs;
-    for (std::size_t i = 0; i < tried.size() && i < kPaired; ++i) {
-      pairs.push_back(fits_.tryAll(tried[i].model, fits_.screened(tried[i].model, options_.tried)));
-    }
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      for (const FoldTried& one : pairs[i]) {
-        const double mean = one.model.errors.mean();
-        if (second == nullptr || mean < second->model.errors.mean()) {
-          first = &tried[i], second = &one;
-        }
-      }
-    }
-    if (second == nullptr || !helps(model_.errors, second->model.errors, 2)) return false;
-    const double before = model_.errors.mean();
-    take(*first, {}, before);
-    take(*second, pairs[static_cast<std::size_t>(first - tried.data())], before);
-    return true;
   }
 
   void take(const FoldTried& chosen, const std::vector<FoldTried>& tried, double before) {
