@@ -5,8 +5,8 @@
 #include <cmath>
 #include <map>
 
-#include "validation/diagnosis/beat_search.h"
 #include "validation/diagnosis/least_squares.h"
+#include "validation/diagnosis/size_search.h"
 
 namespace nao::validation {
 namespace {
@@ -36,98 +36,6 @@ CauseList withNumbers(CauseList model, const std::vector<double>& numbers) {
   }
   return model;
 }
-
-// Sizes of one cause beside a stage's model.
-class SizeSearch {
- public:
-  struct Point {
-    std::vector<double> x;
-    double gain = 0, scale = 0;  // of x, that would be best if the cause were linear
-  };
-
-  SizeSearch(Ensemble& ensemble, const Stage& stage, const std::vector<Cause>& causes,
-             std::size_t cause, const Effort& effort)
-      : ensemble_(ensemble),
-        stage_(stage),
-        causes_(causes),
-        cause_(cause),
-        effort_(effort),
-        residual_(stage.white(stage.raw())) {}
-
-  Point at(const std::vector<double>& x) const {
-    CauseList with = stage_.model();
-    with.push_back({cause_, x});
-    const Halves change =
-        ensemble_.halves(settingsOf(causes_, with), effort_.look_runs) - stage_.quickBase();
-    const Explained explained(stage_.white(change), residual_);
-    return {x, explained.gain(), explained.bestScale()};
-  }
-
-  // Rough causes have several valleys: the best size of a widely, then a finely spaced row.
-  Point scanned(Point best) const {
-    for (const std::vector<double>& row :
-         {std::vector<double>{0.4, 0.63, 1.6, 2.5}, {0.8, 1.25}, {0.9, 1.11}}) {
-      const std::vector<double> centre = best.x;
-      for (const double factor : row) {
-        const Point point = at(scaled(centre, factor));
-        if (point.gain > best.gain) best = point;
-      }
-    }
-    return best;
-  }
-
-  // To the best of sizes whose beat must be met.
-  Point beating(Point best) const {
-    double width = beatWidth(ensemble_.data(), best.x[0]);
-    for (int i = 0; i < kNarrowed; ++i, width /= 2) {
-      const double centre = best.x[0];
-      for (const double size : {centre - width, centre + width}) best = better(best, size);
-    }
-    return best;
-  }
-
-  // A look was scaled too far if nothing is gained there: half as far, and again.
-  Point shortened(Point best) const {
-    for (int i = 0; i < kShortened && best.gain <= 0; ++i) best = at(scaled(best.x, 0.5));
-    return best;
-  }
-
-  // To where the cause would be best if it were linear, until it hardly moves.
-  Point followed(Point best) const {
-    for (int i = 0; i < kFollowed; ++i) {
-      const std::vector<double> x = scaled(best.x, std::clamp(best.scale, 1 / kFar, kFar));
-      if (std::abs(x[0] - best.x[0]) < kNear * std::abs(best.x[0])) break;
-      const Point next = at(x);
-      if (next.gain <= best.gain) break;
-      best = next;
-    }
-    return best;
-  }
-
- private:
-  static constexpr int kFollowed = 3, kShortened = 3, kNarrowed = 5;
-  static constexpr double kFar = 3, kNear = 0.08;
-
-  Point better(const Point& best, double size) const {
-    std::vector<double> x = best.x;
-    x[0] = size;
-    const Point point = at(x);
-    return point.gain > best.gain ? point : best;
-  }
-
-  std::vector<double> scaled(std::vector<double> x, double factor) const {
-    const FreeNumber& size = causes_[cause_].free[0];
-    x[0] = std::clamp(x[0] * factor, size.lower, size.upper);
-    return x;
-  }
-
-  Ensemble& ensemble_;
-  const Stage& stage_;
-  const std::vector<Cause>& causes_;
-  std::size_t cause_;
-  const Effort& effort_;
-  Eigen::VectorXd residual_;
-};
 
 // What a model's numbers change of the prediction, by ensembles of final_runs; remembers.
 class ModelChanges {
@@ -185,13 +93,16 @@ class ModelChanges {
 // that is mostly chance. Free choice.
 constexpr double kSmall = 0.4;
 
-// The nearest look at a linear cause that is so much larger; null if there is none.
+// The nearest look at a linear cause that is so much larger; null if there is none. Of a cause
+// whose sizes are scanned only the first is linear: at larger ones a joint may meet a stop.
 const Look* widerLook(const Stage& stage, const std::vector<Cause>& causes, std::size_t cause,
                       const std::vector<double>& x) {
   const Look* nearest = nullptr;
   if (!causes[cause].linear) return nearest;
   for (const Look& look : stage.looks()) {
     if (look.cause != cause || std::abs(x[0]) > kSmall * std::abs(look.x[0])) continue;
+    const FreeNumber& size = causes[cause].free[0];
+    if (!causes[cause].scan.empty() && look.x[0] != size.starts.front()) continue;
     if (!std::equal(x.begin() + 1, x.end(), look.x.begin() + 1)) continue;
     if (nearest == nullptr || std::abs(look.x[0]) < std::abs(nearest->x[0])) nearest = &look;
   }
@@ -227,13 +138,7 @@ QuickFit fitQuickly(Ensemble& ensemble, const Stage& stage, const std::vector<Ca
     return {cause, x, Explained(look->white, stage.white(stage.raw())).gain(x[0] / look->x[0])};
   }
   const SizeSearch search(ensemble, stage, causes, cause, effort);
-  SizeSearch::Point best = search.at(x);
-  if (causes[cause].beats) {
-    if (best.gain > 0) best = search.beating(best);
-    return {cause, best.x, best.gain};
-  }
-  best = causes[cause].linear ? search.shortened(best) : search.scanned(best);
-  if (best.gain > 0) best = search.followed(best);
+  const SizeSearch::Point best = search.from(x);
   return {cause, best.x, best.gain};
 }
 

@@ -49,6 +49,7 @@ struct Cause {
   /// Undeclared spread of this number between equal robots [its unit]: what a robot's maker calls
   /// the same. Less than the smallest size of interest; 0: none is expected.
   double spread = 0;
+  bool spread_beyond = false;  // so do the joints that this one carries, and it feels them
   std::string sentence;  // for the report, "{joint}" and "{value}" filled in
   std::string separate;  // the experiment that tells it from its rivals
   std::string prior = "common";

@@ -58,6 +58,7 @@ class Ensemble {
   /// Causes that every model has from now on, such as what all joints share.
   void setGiven(std::vector<EffectSetting> given) { given_ = std::move(given); }
 
+  std::vector<Joint> carried() const { return joint_.carried(); }
   const JointNoise& noise() const { return noise_; }
   const JointData& data() const { return data_; }
   long used() const { return used_; }

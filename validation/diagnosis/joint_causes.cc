@@ -158,6 +158,7 @@ void addLoad(std::vector<Cause>& all) {
       one("link_mass", "part", {0.2, -0.2}, "the link on {joint} is heavier by {value} of nominal",
           "slow and fast motion with a known mass added"),
       0.02));
+  all.back().spread_beyond = true;
   for (const char* axis : {"x", "y", "z"}) {
     all.push_back(part("link_com", axis, {0.02}, "the link on {joint} has its mass off by {value}",
                        "slow motion in two orientations of the base"));

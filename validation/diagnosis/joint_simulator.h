@@ -41,6 +41,9 @@ class JointSimulator {
   /// Where causes of this joint alone act, for EffectSetting::joints.
   virtual std::vector<Joint> place() const { return {}; }
 
+  /// Joints whose links this one carries.
+  virtual std::vector<Joint> carried() const { return {}; }
+
   /// One run of measured()[motion] with the model's own effects and these, on the grid of its
   /// repeats; the same `stream` draws the same random numbers whatever the causes. Noise of zero:
   /// the noise-free run.

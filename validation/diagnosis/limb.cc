@@ -46,6 +46,18 @@ Limb::Limb(const RigSet& set, Joint joint_of_robot)
   }
 }
 
+std::vector<Joint> Limb::carried() const {
+  std::vector<bool> hangs(model_.bodies.size(), false);
+  std::vector<Joint> found;
+  for (std::size_t b = 1; b < model_.bodies.size(); ++b) {  // parents come before their children
+    const Joint own = model_.coordinates[b - 1].joint;
+    const bool carried = hangs[static_cast<std::size_t>(model_.bodies[b].parent)];
+    hangs[b] = carried || own == joint_;
+    if (carried && own != joint_) found.push_back(whole_[index(own)]);
+  }
+  return found;
+}
+
 RobotModel Limb::modelIn(std::size_t motion) const {
   RobotModel model = model_;
   for (Actuator& actuator : model.actuators) actuator.kp *= set_.motions()[motion].kp_scale;

@@ -23,6 +23,8 @@ class Limb {
   const RigSet& set() const { return set_; }
   const RobotModel& model() const { return model_; }
   Joint joint() const { return joint_; }
+  /// Joints of the robot that hang on the joint, nearest first.
+  std::vector<Joint> carried() const;
   /// With the gains of a motion.
   RobotModel modelIn(std::size_t motion) const;
   /// What the joints were told, a row per cycle; those that were not hold what they had.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/random.h"
+#include "validation/diagnosis/chords.h"
 #include "validation/diagnosis/noise_modes.h"
 
 namespace nao::validation {
@@ -106,18 +107,20 @@ bool Stage::isTaken(std::size_t cause) const {
 // One run per motion tells which of many sizes is worth a look.
 void Stage::scan(std::size_t cause) {
   const auto settings = settingsOf(causes_, model_);
-  const Eigen::VectorXd before = ensemble_.rough(settings), residual = white(raw_);
-  double best = 0, largest = 0;
-  for (const double x : causes_[cause].scan) {
-    if (x < causes_[cause].free[0].lower || x > causes_[cause].free[0].upper) continue;
+  const Eigen::VectorXd before = ensemble_.rough(settings);
+  std::vector<double> sizes = causes_[cause].scan;
+  std::sort(sizes.begin(), sizes.end());
+  const FreeNumber& number = causes_[cause].free[0];
+  std::vector<Response> row;
+  for (const double x : sizes) {
+    if (x < number.lower || x > number.upper) continue;
     CauseList with = model_;
     with.push_back({cause, {x}});
-    const Eigen::VectorXd change = white(ensemble_.rough(settingsOf(causes_, with)) - before);
-    const double gain = change.dot(residual) - change.squaredNorm() / 2;
-    if (gain > largest) largest = gain, best = x;
+    row.push_back({x, white(ensemble_.rough(settingsOf(causes_, with)) - before)});
   }
-  if (largest <= 0) return;
-  lookAt(ensemble_, cause, {best}, effort_);
+  const SizeGain best = bestOnChords(row, white(raw_));
+  if (best.gain <= 0) return;
+  lookAt(ensemble_, cause, {best.size}, effort_);
   looks_.back().white = white(looks_.back().raw);
 }
 
@@ -175,11 +178,27 @@ Eigen::MatrixXd Stage::directions(const Effort& effort, double start_sd) {
     }
     column += what.free.size();
   }
+  addBeyond(columns, effort);
   Eigen::MatrixXd all(data_.size(), static_cast<Eigen::Index>(columns.size()));
   for (std::size_t i = 0; i < columns.size(); ++i)
     all.col(static_cast<Eigen::Index>(i)) = columns[i];
   undeclared_ = all.rightCols(static_cast<Eigen::Index>(columns.size() - own));
   return all;
+}
+
+// What the links that this joint carries may weigh more or less.
+void Stage::addBeyond(std::vector<Eigen::VectorXd>& columns, const Effort& effort) {
+  for (const Cause& cause : causes_) {
+    if (!cause.spread_beyond) continue;
+    for (const Joint joint : ensemble_.carried()) {
+      const std::vector<double> x = startsOf(cause).front();
+      std::vector<EffectSetting> settings = settingsOf(causes_, model_);
+      settings.push_back(settingOf(cause, x));
+      settings.back().joints = {joint};
+      const Halves change = ensemble_.roughHalves(settings, effort.look_runs) - look_base_;
+      columns.push_back(change.mean() * (cause.spread / x[0]));
+    }
+  }
 }
 
 void Stage::simulateNulls(const std::string& joint) {

@@ -93,6 +93,7 @@ class Stage {
   void scan(std::size_t cause);
   void setJacobian(const Eigen::MatrixXd& jacobian);
   Eigen::MatrixXd directions(const Effort& effort, double start_sd);
+  void addBeyond(std::vector<Eigen::VectorXd>& columns, const Effort& effort);
 
   const JointData& data_;
   const std::vector<Cause>& causes_;

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <vector>
+
+#include "validation/diagnosis/chords.h"
+#include "validation/diagnosis/stage.h"
+
+namespace nao::validation {
+
+/// The size of one cause beside a stage's model, by ensembles of look_runs; further numbers of the
+/// cause stay as they are.
+class SizeSearch {
+ public:
+  struct Point {
+    std::vector<double> x;
+    double gain = 0, scale = 0;  // [nats]; of x, that would be best if the cause were linear
+  };
+
+  /// All of it must outlive the search.
+  SizeSearch(Ensemble& ensemble, const Stage& stage, const std::vector<Cause>& causes,
+             std::size_t cause, const Effort& effort);
+
+  /// The best size that is found from these numbers, as the kind of cause asks for.
+  Point from(const std::vector<double>& x) const;
+
+ private:
+  Point at(const std::vector<double>& x) const;
+  Point scanned(Point best) const;
+  Point beating(Point best) const;
+  Point alongBend(Point best) const;
+  Point shortened(Point best) const;
+  Point followed(Point best) const;
+  Point withSize(const Point& from, double size) const;
+  Point scaled(const Point& from, double factor) const;
+  Response responseTo(double size) const;
+  Halves changeAt(const std::vector<double>& x) const;
+  const FreeNumber& size() const { return causes_[cause_].free[0]; }
+
+  Ensemble& ensemble_;
+  const Stage& stage_;
+  const std::vector<Cause>& causes_;
+  std::size_t cause_;
+  const Effort& effort_;
+  Eigen::VectorXd residual_;
+};
+
+}  // namespace nao::validation
