@@ -9,18 +9,10 @@ namespace {
 
 constexpr double kConfidence = 0.99;     // of thresholds, over the null sets of a whole data set
 constexpr double kSmallestShare = 0.03;  // of the excess misfit, less is not worth a name
-constexpr double kSame = 0.03;           // of the gain: rivals within it are not told apart
 constexpr double kWorthFitting = 0.7;    // of the threshold: what a look must promise
 constexpr double kHopeless = 0.03;       // of the best look's gain: less never becomes the best fit
 constexpr double kClose = 0.06;          // of the best quick gain: fitted fully as well
-constexpr double kSwap = 0.01;           // of the gain: what a rival must be better by
 constexpr double kExcited = 1;           // squared noise SDs of a look: else it cannot be judged
-
-// Two directions of one effect, such as x and y of a tilt: no rivals, one name.
-bool samePlace(const Cause& a, const Cause& b) {
-  return a.effect == b.effect && a.id.rfind(a.effect + ".", 0) == 0 &&
-         b.id.rfind(b.effect + ".", 0) == 0;
-}
 
 double half(const Eigen::VectorXd& x) { return x.squaredNorm() / 2; }
 
@@ -147,9 +139,9 @@ std::vector<JointSearch::Candidate> JointSearch::rank(const Stage& stage) {
     const auto same = std::find_if(ranking.begin(), ranking.end(),
                                    [&](const Candidate& c) { return c.cause == fit.cause; });
     if (same == ranking.end()) {
-      ranking.push_back({fit.cause, fit.x, fit.gain, false, {}});
+      ranking.push_back({fit.cause, fit.x, fit.gain, false, false, false, {}});
     } else if (fit.gain > same->gain) {
-      *same = {fit.cause, fit.x, fit.gain, false, {}};
+      *same = {fit.cause, fit.x, fit.gain, false, false, false, {}};
     }
   }
   sortBest(ranking);
@@ -186,8 +178,9 @@ void JointSearch::fitFinally(const Stage& stage, Candidate& candidate) {
   candidate.full = true;
 }
 
-void JointSearch::sortBest(std::vector<Candidate>& ranking) {
-  std::stable_sort(ranking.begin(), ranking.end(),
+void JointSearch::sortBest(std::vector<Candidate>& ranking, std::size_t count) {
+  const auto n = static_cast<std::ptrdiff_t>(std::min(count, ranking.size()));
+  std::stable_sort(ranking.begin(), ranking.begin() + n,
                    [](const Candidate& a, const Candidate& b) { return a.gain > b.gain; });
 }
 
@@ -196,11 +189,15 @@ bool JointSearch::isSmall(const Candidate& candidate) const {
   return std::abs(candidate.x[0]) < size.smallest;
 }
 
+// Half the squares that null sets leave.
+double JointSearch::floor() const {
+  double sum = 0;
+  for (const Eigen::VectorXd& null : stage_->nulls()) sum += half(stage_->white(null));
+  return sum / static_cast<double>(std::max<std::size_t>(1, stage_->nulls().size()));
+}
+
 double JointSearch::shareOf(const Stage& stage, double gain) const {
-  double floor = 0;
-  for (const Eigen::VectorXd& null : stage_->nulls()) floor += half(stage_->white(null));
-  floor /= static_cast<double>(std::max<std::size_t>(1, stage_->nulls().size()));
-  return gain / std::max(half(stage.white(stage.raw())) - floor, gain);
+  return gain / std::max(half(stage.white(stage.raw())) - floor(), gain);
 }
 
 // Why a candidate may not be named though it fits; empty: nothing against it.
@@ -220,37 +217,31 @@ void JointSearch::reject(std::size_t cause, double gain, const std::string& reas
   rejected_.push_back({causes_[cause].id, gain, reason});
 }
 
-bool JointSearch::accept(const std::vector<Candidate>& ranking) {
-  const double crit = critical();
+// Whether a candidate may be named; if not, says why.
+bool JointSearch::isViable(const Candidate& candidate) {
+  if (dropped_.count(candidate.cause) > 0) return false;
+  const std::string reason = objection(
+      *stage_, candidate, crossValidate(data_, *stage_, candidate.fit, candidate.x.size()));
+  if (!reason.empty()) reject(candidate.cause, candidate.gain, reason);
+  return reason.empty();
+}
+
+bool JointSearch::accept(std::vector<Candidate> ranking) {
+  weigh(*stage_, ranking);
   for (const Candidate& candidate : ranking) {
-    if (candidate.gain <= crit || !candidate.full) return false;
-    if (dropped_.count(candidate.cause) > 0) continue;
-    const CrossValidation validation =
-        crossValidate(data_, *stage_, candidate.fit, candidate.x.size());
-    const std::string reason = objection(*stage_, candidate, validation);
-    if (!reason.empty()) {
-      reject(candidate.cause, candidate.gain, reason);
-      continue;
-    }
-    Accepted chosen{candidate.cause, candidate.gain,     shareOf(*stage_, candidate.gain),
-                    validation,      isSmall(candidate), {}};
-    accepted_.push_back(chosen);
+    if (candidate.gain <= critical() || !candidate.full) return false;
+    if (!isViable(candidate)) continue;
+    accepted_.push_back({candidate.cause,
+                         candidate.gain,
+                         shareOf(*stage_, candidate.gain),
+                         crossValidate(data_, *stage_, candidate.fit, candidate.x.size()),
+                         isSmall(candidate),
+                         {}});
     setRivals(accepted_.size() - 1, ranking);
     enterModel(candidate.fit);
     return true;
   }
   return false;
-}
-
-void JointSearch::setRivals(std::size_t place, const std::vector<Candidate>& ranking) {
-  Accepted& chosen = accepted_[place];
-  chosen.rivals.clear();
-  for (const Candidate& rival : ranking) {
-    if (rival.cause == chosen.cause || isSmall(rival)) continue;
-    if (rival.gain < chosen.gain - std::max(critical(), kSame * chosen.gain)) continue;
-    if (samePlace(causes_[rival.cause], causes_[chosen.cause])) continue;
-    chosen.rivals.push_back(rival);
-  }
 }
 
 bool JointSearch::step() {
@@ -260,78 +251,6 @@ bool JointSearch::step() {
   return accept(ranking);
 }
 
-// Each cause competes again with all others for its place beside the rest of the model.
-bool JointSearch::review() {
-  bool changed = false;
-  // One place after the other: a change puts the new cause last, so that each is seen once.
-  std::size_t place = 0;
-  for (std::size_t left = accepted_.size(); left > 0 && accepted_.size() > 1; --left) {
-    if (ensemble_.spent()) break;
-    if (reviewOne(place)) {
-      changed = true;
-    } else {
-      ++place;
-    }
-  }
-  return changed;
-}
-
-bool JointSearch::reviewOne(std::size_t place) {
-  Eigen::MatrixXd jacobian(data_.size(), 0);
-  for (std::size_t i = 0, column = 0; i < fit_.model.size(); ++i) {
-    const auto n = static_cast<Eigen::Index>(fit_.model[i].x.size());
-    if (i != place) {
-      const Eigen::Index before = jacobian.cols();
-      jacobian.conservativeResize(Eigen::NoChange, before + n);
-      jacobian.rightCols(n) = fit_.jacobian.middleCols(static_cast<Eigen::Index>(column), n);
-    }
-    column += static_cast<std::size_t>(n);
-  }
-  const auto without = std::make_unique<Stage>(*stage_, place, jacobian);
-  std::vector<Candidate> ranking = rank(*without);
-  const std::size_t cause = accepted_[place].cause;
-  const auto own = std::find_if(ranking.begin(), ranking.end(),
-                                [&](const Candidate& c) { return c.cause == cause; });
-  const double own_gain = own == ranking.end() ? 0 : own->gain;
-  const double best_gain = ranking.empty() ? 0 : ranking.front().gain;
-  if (std::max(own_gain, best_gain) <= critical()) {
-    drop(place, own_gain, "no longer needed beside the others");
-    enterModel(fitFully(ensemble_, data_, *without, causes_, without->model(), effort_));
-    return true;
-  }
-  if (best_gain > own_gain + std::max(2.0, kSwap * own_gain)) {
-    Candidate best = ranking.front();
-    fitFinally(*without, best);
-    if (best.gain > own_gain + std::max(2.0, kSwap * own_gain)) {
-      swap(place, own_gain, *without, best, ranking);
-      return true;
-    }
-  }
-  accepted_[place].gain = own_gain;
-  setRivals(place, ranking);
-  return false;
-}
-
-void JointSearch::drop(std::size_t place, double gain, const std::string& reason) {
-  dropped_.insert(accepted_[place].cause);
-  reject(accepted_[place].cause, gain, reason);
-  accepted_.erase(accepted_.begin() + static_cast<std::ptrdiff_t>(place));
-}
-
-void JointSearch::swap(std::size_t place, double gain, const Stage& without, const Candidate& best,
-                       const std::vector<Candidate>& ranking) {
-  Accepted swapped{best.cause,
-                   best.gain,
-                   accepted_[place].share,
-                   crossValidate(data_, without, best.fit, best.x.size()),
-                   isSmall(best),
-                   {}};
-  drop(place, gain, "explained better by " + causes_[best.cause].id);
-  accepted_.push_back(swapped);
-  setRivals(accepted_.size() - 1, ranking);
-  enterModel(best.fit);
-}
-
 JointVerdict JointSearch::conclude(const NullRecord& others) {
   others_ = others;
   for (int round = 0; round < 2; ++round) {  // a review may make room for one more
@@ -339,6 +258,8 @@ JointVerdict JointSearch::conclude(const NullRecord& others) {
     }
     if (!review()) break;
   }
+  prune();
+  refine();
   rejectTheRest();
   JointVerdict verdict;
   describe(verdict);

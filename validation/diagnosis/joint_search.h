@@ -12,6 +12,8 @@
 
 namespace nao::validation {
 
+struct SmallerModel;
+
 /// What the null sets of a joint, simulated at its model, show by chance; one entry per set.
 struct NullRecord {
   std::vector<double> gains;       // [nats] the largest of any candidate
@@ -50,9 +52,12 @@ class JointSearch {
     std::size_t cause = 0;
     std::vector<double> x;
     double gain = 0;
-    bool full = false;  // fitted with final_runs, all numbers at once
+    bool full = false;     // fitted with final_runs, all numbers at once
+    bool weighed = false;  // its gain is by exact runs
+    bool whole = false;    // these leave no more than chance does
     ModelFit fit;
   };
+  static constexpr std::size_t kAll = static_cast<std::size_t>(-1);
   struct Accepted {
     std::size_t cause = 0;
     double gain = 0, share = 0;
@@ -70,18 +75,27 @@ class JointSearch {
   void addBeats(const Stage& stage, std::vector<QuickFit>& starts);
   void fitFinalists(const Stage& stage, std::vector<Candidate>& ranking);
   void fitFinally(const Stage& stage, Candidate& candidate);
-  static void sortBest(std::vector<Candidate>& ranking);
+  // The first `count`, or all.
+  static void sortBest(std::vector<Candidate>& ranking, std::size_t count = kAll);
   void drop(std::size_t place, double gain, const std::string& reason);
   void swap(std::size_t place, double gain, const Stage& without, const Candidate& best,
             const std::vector<Candidate>& ranking);
   bool step();
-  bool accept(const std::vector<Candidate>& ranking);
+  bool accept(std::vector<Candidate> ranking);
+  bool isViable(const Candidate& candidate);
+  void weigh(const Stage& stage, std::vector<Candidate>& ranking);
+  double leftBy(const Stage& stage, ModelFit& fit);
+  double reachOf(const Candidate& best, const Candidate& other) const;
   std::string objection(const Stage& stage, const Candidate& candidate,
                         const CrossValidation& validation) const;
   bool isSmall(const Candidate& candidate) const;
   double shareOf(const Stage& stage, double gain) const;
+  double floor() const;
   bool review();
   bool reviewOne(std::size_t place);
+  void prune();
+  bool keepOnly(const SmallerModel& smaller);
+  void refine();
   void setRivals(std::size_t place, const std::vector<Candidate>& ranking);
   void reject(std::size_t cause, double gain, const std::string& reason);
   void judge(JointVerdict& verdict);

@@ -1,0 +1,229 @@
+// Accepted causes seen again: against rivals for their place, and whether they are needed.
+#include <Eigen/QR>
+#include <algorithm>
+#include <utility>
+
+#include "validation/diagnosis/exact_slopes.h"
+#include "validation/diagnosis/joint_search.h"
+#include "validation/diagnosis/smaller_models.h"
+
+namespace nao::validation {
+namespace {
+
+constexpr double kSame = 0.03;             // of the gain: rivals within it are not told apart
+constexpr double kSameByExactRuns = 0.01;  // where both were weighed
+constexpr std::size_t kWeighed = 3;
+constexpr double kSwap = 0.01;  // of the gain: what a rival must be better by
+constexpr double kWorthTrying =
+    5;                     // of the threshold: what a smaller model may cost by sensitivities
+constexpr int kTried = 2;  // smaller models that are simulated
+
+// Two directions of one effect, such as x and y of a tilt: no rivals, one name.
+bool samePlace(const Cause& a, const Cause& b) {
+  return a.effect == b.effect && a.id.rfind(a.effect + ".", 0) == 0 &&
+         b.id.rfind(b.effect + ".", 0) == 0;
+}
+
+}  // namespace
+
+// How much less a rival may explain. A law that only resembles its cause of the catalogue does not
+// fit as well as chance allows: then rivals are not told apart by chance alone.
+double JointSearch::reachOf(const Candidate& best, const Candidate& other) const {
+  if (!best.weighed || !other.weighed) return std::max(critical(), kSame * best.gain);
+  return std::max(critical(), best.whole ? 0 : kSameByExactRuns * best.gain);
+}
+
+void JointSearch::setRivals(std::size_t place, const std::vector<Candidate>& ranking) {
+  Accepted& chosen = accepted_[place];
+  chosen.rivals.clear();
+  const auto own = std::find_if(ranking.begin(), ranking.end(),
+                                [&](const Candidate& c) { return c.cause == chosen.cause; });
+  if (own == ranking.end()) return;
+  for (const Candidate& rival : ranking) {
+    if (rival.cause == chosen.cause || isSmall(rival)) continue;
+    if (own->weighed && !rival.weighed) continue;  // was too far off to be weighed
+    if (rival.gain < own->gain - reachOf(*own, rival)) continue;
+    if (samePlace(causes_[rival.cause], causes_[chosen.cause])) continue;
+    chosen.rivals.push_back(rival);
+  }
+}
+
+// Fits are made of coarse steps, which are off by a few per cent of what a large cause explains:
+// exact runs decide between candidates that are as near as that.
+void JointSearch::weigh(const Stage& stage, std::vector<Candidate>& ranking) {
+  std::vector<Candidate*> near;
+  for (Candidate& candidate : ranking) {
+    if (!candidate.full || near.size() == kWeighed) break;
+    if (candidate.gain < ranking.front().gain - reachOf(ranking.front(), candidate)) break;
+    near.push_back(&candidate);
+  }
+  if (near.size() < 2) return;
+  const double before = stage.white(stage.raw()).squaredNorm() / 2;
+  for (Candidate* candidate : near) {
+    if (ensemble_.spent()) return;
+    const double left = leftBy(stage, candidate->fit);
+    candidate->gain = before - left;
+    candidate->whole = left <= floor();
+    candidate->x = candidate->fit.model.back().x;
+    candidate->weighed = true;
+  }
+  sortBest(ranking, near.size());
+}
+
+// Half the squares of what is really left with this fit, its numbers moved to where that is least;
+// by as many runs as the stage's own residual, whose chance then is the same.
+double JointSearch::leftBy(const Stage& stage, ModelFit& fit) {
+  const auto left = [&](int runs) -> Eigen::VectorXd {
+    return data_.mean() - ensemble_.pool(settingsOf(causes_, fit.model), runs).mean;
+  };
+  moveNumbers(fit, left(effort_.base_runs / 3), stage, causes_);
+  const Eigen::VectorXd white = stage.whitenFit(left(effort_.base_runs));
+  Eigen::MatrixXd own(white.size(), fit.jacobian.cols());
+  for (Eigen::Index i = 0; i < own.cols(); ++i) own.col(i) = stage.whitenFit(fit.jacobian.col(i));
+  const Eigen::VectorXd rest = white - own * own.colPivHouseholderQr().solve(white);
+  return rest.squaredNorm() / 2;
+}
+
+// Each cause competes again with all others for its place beside the rest of the model.
+bool JointSearch::review() {
+  bool changed = false;
+  // One place after the other: a change puts the new cause last, so that each is seen once.
+  std::size_t place = 0;
+  for (std::size_t left = accepted_.size(); left > 0 && accepted_.size() > 1; --left) {
+    if (ensemble_.spent()) break;
+    if (reviewOne(place)) {
+      changed = true;
+    } else {
+      ++place;
+    }
+  }
+  return changed;
+}
+
+bool JointSearch::reviewOne(std::size_t place) {
+  Eigen::MatrixXd jacobian(data_.size(), 0);
+  for (std::size_t i = 0, column = 0; i < fit_.model.size(); ++i) {
+    const auto n = static_cast<Eigen::Index>(fit_.model[i].x.size());
+    if (i != place) {
+      const Eigen::Index before = jacobian.cols();
+      jacobian.conservativeResize(Eigen::NoChange, before + n);
+      jacobian.rightCols(n) = fit_.jacobian.middleCols(static_cast<Eigen::Index>(column), n);
+    }
+    column += static_cast<std::size_t>(n);
+  }
+  const auto without = std::make_unique<Stage>(*stage_, place, jacobian);
+  std::vector<Candidate> ranking = rank(*without);
+  fitFinalists(*without, ranking);
+  weigh(*without, ranking);
+  const std::size_t cause = accepted_[place].cause;
+  const auto own = std::find_if(ranking.begin(), ranking.end(),
+                                [&](const Candidate& c) { return c.cause == cause; });
+  const double own_gain = own == ranking.end() ? 0 : own->gain;
+  const double best_gain = ranking.empty() ? 0 : ranking.front().gain;
+  if (std::max(own_gain, best_gain) <= critical()) {
+    drop(place, own_gain, "no longer needed beside the others");
+    enterModel(fitFully(ensemble_, data_, *without, causes_, without->model(), effort_));
+    return true;
+  }
+  if (best_gain > own_gain + std::max(2.0, kSwap * own_gain)) {
+    Candidate best = ranking.front();
+    if (!best.full) fitFinally(*without, best);
+    if (best.gain > own_gain + std::max(2.0, kSwap * own_gain)) {
+      swap(place, own_gain, *without, best, ranking);
+      return true;
+    }
+  }
+  accepted_[place].gain = own_gain;
+  setRivals(place, ranking);
+  return false;
+}
+
+void JointSearch::drop(std::size_t place, double gain, const std::string& reason) {
+  dropped_.insert(accepted_[place].cause);
+  reject(accepted_[place].cause, gain, reason);
+  accepted_.erase(accepted_.begin() + static_cast<std::ptrdiff_t>(place));
+}
+
+void JointSearch::swap(std::size_t place, double gain, const Stage& without, const Candidate& best,
+                       const std::vector<Candidate>& ranking) {
+  Accepted swapped{best.cause,
+                   best.gain,
+                   accepted_[place].share,
+                   crossValidate(data_, without, best.fit, best.x.size()),
+                   isSmall(best),
+                   {}};
+  drop(place, gain, "explained better by " + causes_[best.cause].id);
+  accepted_.push_back(swapped);
+  setRivals(accepted_.size() - 1, ranking);
+  enterModel(best.fit);
+}
+
+// Causes that only cancel each other are each missed if they go alone: tried without several.
+void JointSearch::prune() {
+  std::vector<LinearCause> model;
+  Eigen::Index column = 0;
+  for (const Chosen& one : fit_.model) {
+    LinearCause linear{{},
+                       Eigen::Map<const Eigen::VectorXd>(one.x.data(), one.x.size()),
+                       causes_[one.cause].linear};
+    linear.white.resize(data_.fitSize(), linear.numbers.size());
+    for (Eigen::Index i = 0; i < linear.numbers.size(); ++i, ++column) {
+      linear.white.col(i) = stage_->whitenFit(fit_.jacobian.col(column));
+    }
+    model.push_back(std::move(linear));
+  }
+  const Eigen::VectorXd left = stage_->white(stage_->raw());
+  int tried = 0;
+  for (const SmallerModel& smaller : smallerModels(model, left, kWorthTrying * critical())) {
+    if (ensemble_.spent() || tried++ == kTried) return;
+    if (keepOnly(smaller)) return;
+  }
+}
+
+// Whether nothing is to be found beside these causes either: then the others are none.
+bool JointSearch::keepOnly(const SmallerModel& smaller) {
+  CauseList model;
+  Eigen::Index next = 0;
+  for (const std::size_t place : smaller.kept) {
+    model.push_back(fit_.model[place]);
+    const Cause& cause = causes_[model.back().cause];
+    for (std::size_t i = 0; i < cause.free.size(); ++i, ++next) {
+      const FreeNumber& number = cause.free[i];
+      if (i == 0 && cause.beats) continue;
+      model.back().x[i] = std::clamp(smaller.numbers[next], number.lower, number.upper);
+    }
+  }
+  const ModelFit whole_fit = fit_;
+  const NullRecord whole_nulls = nulls_;
+  ModelFit fit = fitFully(ensemble_, data_, *stage_, causes_, model, effort_);
+  auto whole = std::make_unique<Stage>(*stage_);
+  enterModel(fit);
+  if (stage_->largestGain(stage_->white(stage_->raw())) > critical()) {
+    stage_ = std::move(whole);
+    fit_ = whole_fit;
+    nulls_ = whole_nulls;
+    return false;
+  }
+  for (std::size_t place = accepted_.size(); place-- > 0;) {
+    const auto& kept = smaller.kept;
+    if (std::find(kept.begin(), kept.end(), place) != kept.end()) continue;
+    drop(place, accepted_[place].gain, "no longer needed beside the others");
+  }
+  std::size_t place = 0;
+  for (std::size_t left = accepted_.size(); left > 0; --left) {
+    if (!reviewOne(place)) ++place;
+  }
+  return true;
+}
+
+// The last numbers, and their intervals, are by exact runs alone.
+void JointSearch::refine() {
+  if (fit_.model.empty() || ensemble_.spent()) return;
+  fit_.model = stage_->model();  // where its residual was taken
+  setExactSlopes(ensemble_, causes_, effort_.base_runs / 3, fit_);
+  moveNumbers(fit_, stage_->raw(), *stage_, causes_);
+  const RunPool pool = ensemble_.pool(settingsOf(causes_, fit_.model), effort_.base_runs);
+  moveNumbers(fit_, data_.mean() - pool.mean, *stage_, causes_);
+}
+
+}  // namespace nao::validation
