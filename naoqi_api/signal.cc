@@ -75,6 +75,10 @@ void Emitter::onListeners(std::function<void(std::size_t)> changed) const {
   state_->changed = std::move(changed);
 }
 
+Pending<void> Emitter::heard() const {
+  return state_->heard ? *state_->heard : Pending<void>::done();
+}
+
 void Emitter::tellChange() const {
   if (state_->changed) state_->changed(state_->count);
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "naoqi_api/convert.h"
+#include "naoqi_api/pending.h"
 #include "naoqi_api/value.h"
 
 namespace nao::rpc {
@@ -49,7 +50,7 @@ class Emitter {
  public:
   using Listener = std::function<void(const Emission&)>;  // or of the arguments
 
-  /// `signature` is a tuple such as "(is)".
+  /// `signature` is a tuple such as "(is)"; of what a client offers also a list or "m".
   explicit Emitter(std::string signature);
 
   const std::string& signature() const { return state_->signature; }
@@ -64,6 +65,11 @@ class Emitter {
   std::uint64_t connect(Listener listener) const;
   void disconnect(std::uint64_t link) const;
   std::size_t listenerCount() const { return state_->count; }
+
+  /// Ends once whoever raises it knows that somebody listens: nothing raised after that is lost.
+  /// Has ended unless that is a client that was asked just now; fails if the client refuses.
+  Pending<void> heard() const;
+  void setHeard(Pending<void> heard) const { state_->heard = std::move(heard); }
 
   /// The same emitter as long as somebody else keeps it; does not keep it itself.
   std::function<std::optional<Emitter>()> weak() const;
@@ -86,6 +92,7 @@ class Emitter {
     bool left_meanwhile = false;  // some have
     std::uint64_t next_link = 1;
     std::function<void(std::size_t)> changed;
+    std::optional<Pending<void>> heard;
   };
   /// An emission under way.
   class Telling {

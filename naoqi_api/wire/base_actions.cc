@@ -10,17 +10,31 @@ using rpc::CallError;
 using rpc::Pending;
 using Arguments = std::vector<Value>;
 
-Value registerEvent(const BaseContext& context, const Arguments& arguments) {
-  const auto uid = arguments[1].to<std::uint32_t>();
-  const auto link = arguments[2].to<std::uint64_t>();
+const rpc::Emitter& signalOf(const BaseContext& context, std::uint32_t uid) {
   const rpc::Emitter* emitter = uid == base_action::kTraceObject
                                     ? &context.service.monitor().traceObject()
                                     : context.service.findSignal(uid);
   if (!emitter) throw CallError("No such signal");
+  return *emitter;
+}
+
+// Answered once whoever raises the signal knows, so that nothing raised from then on is lost.
+Pending<Value> registerEvent(const BaseContext& context, const Arguments& arguments) {
+  const auto uid = arguments[1].to<std::uint32_t>();
+  const auto link = arguments[2].to<std::uint64_t>();
+  const rpc::Emitter emitter = signalOf(context, uid);
   std::string wished;
   if (arguments.size() > 3) wished = arguments[3].to<std::string>();
   const Address signal{context.address.service, context.address.object, uid};
-  return context.subscriptions.add(signal, link, *emitter, std::move(wished));
+  const auto number = context.subscriptions.add(signal, link, emitter, std::move(wished));
+  Pending<Value> registered;
+  emitter.heard().whenDone(
+      [registered, number, drop = context.subscriptions.dropper(number)](const auto& outcome) {
+        if (outcome.value) return registered.resolve(number);
+        drop();
+        registered.fail(outcome.error.value_or("canceled"));
+      });
+  return registered;
 }
 
 Value unregisterEvent(const BaseContext& context, const Arguments& arguments) {
@@ -85,9 +99,6 @@ Value setFlag(bool& flag, const Value& value) {
 Value runAtOnce(const BaseContext& context, const Arguments& arguments) {
   rpc::Monitor& monitor = context.service.monitor();
   switch (context.address.action) {
-    case base_action::kRegisterEvent:
-    case base_action::kRegisterEventWithSignature:
-      return registerEvent(context, arguments);
     case base_action::kUnregisterEvent:
       return unregisterEvent(context, arguments);
     case base_action::kMetaObject:
@@ -119,6 +130,9 @@ Value runAtOnce(const BaseContext& context, const Arguments& arguments) {
 
 Pending<Value> runBaseAction(const BaseContext& context, const Arguments& arguments) {
   switch (context.address.action) {
+    case base_action::kRegisterEvent:
+    case base_action::kRegisterEventWithSignature:
+      return registerEvent(context, arguments);
     case base_action::kProperty:
       return propertyOf(context, arguments[0]).get();
     case base_action::kSetProperty:

@@ -4,6 +4,7 @@
 
 #include "naoqi_api/convert.h"
 #include "naoqi_api/wire/bytes.h"
+#include "naoqi_api/wire/event_values.h"
 #include "naoqi_api/wire/metaobject.h"
 
 namespace nao::wire {
@@ -63,13 +64,27 @@ void ClientCalls::cancel(std::uint32_t id) {
   channel_->sendNew(callTo(address, MessageType::Cancel, std::move(number), 0));
 }
 
-void ClientCalls::listen(const Address& signal, const rpc::Emitter& emitter) {
+rpc::Pending<void> ClientCalls::listen(const Address& signal, const rpc::Emitter& emitter) {
   const Place place(signal.service, signal.object, signal.action);
-  if (!channel_->isOpen() || heard_.count(place) > 0) return;
+  if (!channel_->isOpen() || heard_.count(place) > 0) return rpc::Pending<void>::done();
   const std::uint64_t link = (std::uint64_t{signal.action} << 32U) | next_link_++;
   heard_.emplace(place, Heard{link, emitter});
-  call({signal.service, signal.object, base_action::kRegisterEvent},
-       Value::tuple({signal.service, signal.action, link}), Signature::of("(IIL)"), "L");
+  const auto answered =
+      call({signal.service, signal.object, base_action::kRegisterEvent},
+           Value::tuple({signal.service, signal.action, link}), Signature::of("(IIL)"), "L");
+  const rpc::Pending<void> listening;
+  answered.whenDone([listening](const rpc::Outcome<Value>& outcome) {
+    if (outcome.value) return listening.resolve();
+    listening.fail(outcome.error.value_or("canceled"));
+  });
+  endInTime(listening);
+  return listening;
+}
+
+void ClientCalls::endInTime(const rpc::Pending<void>& listening) const {
+  if (listening.isDone() || !alarm_) return;
+  const auto forget = alarm_(kMostListenWait, [listening] { listening.resolve(); });
+  listening.whenDone([forget](const auto& /*outcome*/) { forget(); });
 }
 
 void ClientCalls::stopListening(const Address& signal) {
@@ -90,9 +105,8 @@ void ClientCalls::takeEvent(const Message& event) {
   try {
     Decoder decoder(event.payload, objects_);
     const bool dynamic = (event.flags & kFlagDynamic) != 0;
-    const Value arguments = dynamic ? decoder.read("m") : decoder.read(type);
-    const auto fitting = rpc::convert(arguments, type, rpc::Bend::Declared);
-    if (fitting) emitter.emit(*fitting->findItems());
+    const auto arguments = argumentsOf(dynamic ? decoder.read("m") : decoder.read(type), type);
+    if (arguments) emitter.emit(*arguments);
   } catch (const CodecError&) {
     return;
   }

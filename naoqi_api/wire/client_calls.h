@@ -9,6 +9,7 @@
 
 #include "naoqi_api/pending.h"
 #include "naoqi_api/signal.h"
+#include "naoqi_api/tasks.h"
 #include "naoqi_api/wire/channel.h"
 #include "naoqi_api/wire/codec.h"
 
@@ -19,8 +20,12 @@ namespace nao::wire {
 class ClientCalls : public std::enable_shared_from_this<ClientCalls> {
  public:
   static constexpr std::size_t kMost = 1024;  // calls not answered yet
+  /// How long a client has to answer that it will tell of a signal, in simulated time.
+  static constexpr Duration kMostListenWait = std::chrono::seconds(5);
 
-  explicit ClientCalls(std::shared_ptr<Channel> channel) : channel_(std::move(channel)) {}
+  /// Without `alarm` that time has no end.
+  ClientCalls(std::shared_ptr<Channel> channel, rpc::Alarm alarm)
+      : channel_(std::move(channel)), alarm_(std::move(alarm)) {}
 
   /// How objects among arguments and results travel; null once the client has gone.
   void setObjects(ObjectCodec* objects) { objects_ = objects; }
@@ -33,8 +38,9 @@ class ClientCalls : public std::enable_shared_from_this<ClientCalls> {
   /// Sends a call that wants no answer.
   void post(const Address& address, Bytes arguments);
 
-  /// Asks for the events of the signal at `signal`, which `emitter` then emits.
-  void listen(const Address& signal, const rpc::Emitter& emitter);
+  /// Asks for the events of the signal at `signal`, which `emitter` then emits. Ends when the
+  /// client has answered, or has had its time; fails with the client's error.
+  rpc::Pending<void> listen(const Address& signal, const rpc::Emitter& emitter);
   void stopListening(const Address& signal);
 
   /// Takes a Reply, Error or Canceled that came. Unknown numbers are ignored.
@@ -61,10 +67,12 @@ class ClientCalls : public std::enable_shared_from_this<ClientCalls> {
     rpc::Emitter emitter;
   };
 
+  void endInTime(const rpc::Pending<void>& listening) const;
   Value result(const Open& open, const Message& answer);
   void cancel(std::uint32_t id);
 
   std::shared_ptr<Channel> channel_;
+  rpc::Alarm alarm_;
   ObjectCodec* objects_ = nullptr;
   std::map<std::uint32_t, Open> open_;
   std::map<Place, Heard> heard_;

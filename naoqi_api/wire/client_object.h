@@ -33,9 +33,9 @@ class ClientObject : public rpc::RemoteObject, public std::enable_shared_from_th
                                  const Signature& parameters, const std::string& returns) {
     return calls_->call(member(uid), arguments, parameters, returns);
   }
-  /// Emits its signal's events from now on, or no longer.
-  void listen(std::uint32_t uid, const rpc::Emitter& emitter) {
-    calls_->listen(member(uid), emitter);
+  /// Emits its signal's events from now on, or no longer. See ClientCalls::listen().
+  rpc::Pending<void> listen(std::uint32_t uid, const rpc::Emitter& emitter) {
+    return calls_->listen(member(uid), emitter);
   }
   void stopListening(std::uint32_t uid) { calls_->stopListening(member(uid)); }
 

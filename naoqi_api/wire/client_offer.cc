@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "naoqi_api/wire/event_values.h"
 #include "naoqi_api/wire/metaobject.h"
 
 namespace nao::wire {
@@ -15,9 +16,9 @@ using Weak = std::weak_ptr<ClientObject>;
 
 constexpr std::size_t kFields[] = {7, 3, 3};  // of MetaMethod, MetaSignal, MetaProperty
 
-bool isTuple(const std::string& signature) {
+bool isOfArguments(const std::string& signature) {
   const auto type = Signature::parse(signature);
-  return type && type->is('(');
+  return type && carriesArguments(*type);
 }
 
 Pending<Value> gone() { return Pending<Value>::failed("the client has gone"); }
@@ -60,7 +61,7 @@ Emitter emitterOf(std::uint32_t uid, const std::string& signature, const Weak& o
         const bool wanted = listeners > 0;
         if (!there || !own || *listening == wanted) return;
         *listening = wanted;
-        if (wanted) return there->listen(uid, *own);
+        if (wanted) return own->setHeard(there->listen(uid, *own));
         there->stopListening(uid);
       });
   return emitter;
@@ -69,7 +70,7 @@ Emitter emitterOf(std::uint32_t uid, const std::string& signature, const Weak& o
 void addSignal(Service& offer, std::uint32_t uid, const std::vector<Value>& fields,
                const Weak& object) {
   const std::string& signature = *fields[2].findText();
-  if (!isTuple(signature)) return;
+  if (!isOfArguments(signature)) return;
   offer.insert(rpc::SignalMember{uid, *fields[1].findText(), emitterOf(uid, signature, object)});
 }
 
@@ -77,7 +78,7 @@ void addProperty(Service& offer, std::uint32_t uid, const std::vector<Value>& fi
                  const Weak& object) {
   const std::string& signature = *fields[2].findText();
   const std::string as_tuple = "(" + signature + ")";
-  if (!isTuple(as_tuple)) return;
+  if (!isOfArguments(as_tuple)) return;
   rpc::PropertyMember property{
       uid, *fields[1].findText(), signature, emitterOf(uid, as_tuple, object), {}, {}};
   property.get = [object, uid] {

@@ -6,6 +6,7 @@
 #include "naoqi_api/wire/base_actions.h"
 #include "naoqi_api/wire/bytes.h"
 #include "naoqi_api/wire/client_object.h"
+#include "naoqi_api/wire/event_values.h"
 #include "naoqi_api/wire/metaobject.h"
 
 namespace nao::wire {
@@ -40,7 +41,7 @@ Dispatcher::Dispatcher(rpc::ServiceHub& hub, std::shared_ptr<Channel> channel,
     : hub_(hub),
       channel_(std::move(channel)),
       session_(std::move(session)),
-      client_calls_(std::make_shared<ClientCalls>(channel_)),
+      client_calls_(std::make_shared<ClientCalls>(channel_, hub_.options().alarm)),
       objects_(hub_, channel_, client_calls_),
       subscriptions_(channel_, objects_) {
   client_calls_->setObjects(&objects_);
@@ -193,9 +194,10 @@ void Dispatcher::trace(const Call& call, Monitor::Event event, const Value& cont
 void Dispatcher::emit(const Message& message, const rpc::Emitter& emitter) {
   if (message.payload.size() > kMaxEmitted) return;
   const Signature type = Signature::of(emitter.signature());
-  const Request request = readRequest(message, type);
-  const auto fitting = rpc::convert(Value::tuple(request.arguments), type, rpc::Bend::Declared);
-  if (fitting) emitter.emit(*fitting->findItems());
+  Decoder decoder(message.payload, &objects_);
+  const bool dynamic = (message.flags & kFlagDynamic) != 0;
+  const auto arguments = argumentsOf(dynamic ? decoder.read("m") : decoder.read(type), type);
+  if (arguments) emitter.emit(*arguments);
 }
 
 void Dispatcher::finish(const Call& call, const rpc::Outcome<Value>& outcome) {

@@ -118,6 +118,18 @@ Pending<Value> NamedCalls::subscribe(const std::string& target, const std::strin
   });
 }
 
+namespace {
+
+constexpr std::size_t kMostEarly = 64;  // events; then the answer waits for the host no longer
+
+/// What comes of a subscription before its answer has told the client the link: kept until then.
+struct EarlyEvents {
+  bool is_answered = false;
+  std::vector<std::vector<Value>> events;
+};
+
+}  // namespace
+
 Pending<Value> NamedCalls::listen(Service& service, const std::string& signal,
                                   const Listener& listener) {
   const rpc::Emitter* emitter = service.findSignal(signal);
@@ -126,10 +138,25 @@ Pending<Value> NamedCalls::listen(Service& service, const std::string& signal,
     throw CallError("too many subscriptions on one connection");
   }
   const std::uint64_t link = next_link_++;
+  const auto early = std::make_shared<EarlyEvents>();
+  const Pending<Value> subscribed;
+  const auto answer = [=] {
+    subscribed.resolve(link);
+    early->is_answered = true;
+    for (const auto& event : std::exchange(early->events, {})) listener(link, event);
+  };
   const auto added = subscriptions_.emplace(link, Subscription{*emitter, 0}).first;
-  added->second.link = emitter->connect(
-      [link, listener](const std::vector<Value>& arguments) { listener(link, arguments); });
-  return Pending<Value>::done(link);
+  added->second.link = emitter->connect([=](const std::vector<Value>& arguments) {
+    if (early->is_answered) return listener(link, arguments);
+    early->events.push_back(arguments);
+    if (early->events.size() >= kMostEarly) answer();
+  });
+  emitter->heard().whenDone([=, weak = std::weak_ptr(alive_)](const auto& heard) {
+    if (heard.value) return answer();
+    if (const auto self = weak.lock()) (*self)->unsubscribe(link);
+    subscribed.fail(heard.error.value_or("canceled"));
+  });
+  return subscribed;
 }
 
 bool NamedCalls::unsubscribe(std::uint64_t link) {

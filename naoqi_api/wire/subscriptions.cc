@@ -4,7 +4,8 @@
 
 #include "core/check.h"
 #include "naoqi_api/call_error.h"
-#include "naoqi_api/fits.h"
+#include "naoqi_api/convert.h"
+#include "naoqi_api/wire/event_values.h"
 
 namespace nao::wire {
 namespace {
@@ -46,6 +47,15 @@ Subscriptions::All::iterator Subscriptions::drop(All::iterator subscription) {
   return next;
 }
 
+std::function<void()> Subscriptions::dropper(std::uint64_t number) {
+  return [weak = std::weak_ptr(alive_), number] {
+    const auto self = weak.lock();
+    if (!self) return;
+    const auto found = (*self)->all_.find(number);
+    if (found != (*self)->all_.end()) (*self)->drop(found);
+  };
+}
+
 void Subscriptions::removeObject(std::uint32_t service, std::uint32_t object) {
   for (auto it = all_.begin(); it != all_.end();) {
     const Address& signal = it->second.signal;
@@ -84,29 +94,14 @@ class NoObjects : public ObjectCodec {
   [[noreturn]] static void fail() { throw CodecError("an object is not the same for all"); }
 };
 
-bool allFit(const std::vector<Value>& arguments, const std::vector<Signature>& types) {
-  if (arguments.size() != types.size()) return false;
-  for (std::size_t i = 0; i < types.size(); ++i) {
-    if (!rpc::fits(arguments[i], types[i])) return false;
-  }
-  return true;
-}
-
-}  // namespace
-
-namespace {
-
 std::optional<Bytes> encodeForAll(const std::vector<Value>& arguments, const Signature& declared) {
-  const auto& types = declared.children();
-  if (!allFit(arguments, types)) return std::nullopt;
   NoObjects objects;
   Bytes bytes;
   try {
-    for (std::size_t i = 0; i < types.size(); ++i) encode(bytes, arguments[i], types[i], &objects);
-  } catch (const CodecError&) {
-    return std::nullopt;
+    if (encodeEvent(bytes, arguments, declared, &objects)) return bytes;
+  } catch (const CodecError&) {  // this connection's own
   }
-  return bytes;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -133,16 +128,8 @@ void Subscriptions::write(Message& event, const Subscription& known,
       return encodeDynamic(event.payload, *wished, &objects_);
     }
   }
-  const Signature& declared = known.declared;
-  if (allFit(arguments, declared.children())) {
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-      encode(event.payload, arguments[i], declared.children()[i], &objects_);
-    }
-    return;
-  }
-  const auto fitting = rpc::convert(Value::tuple(arguments), declared, rpc::Bend::Declared);
-  NAO_CHECK(fitting.has_value());  // a service emits what it declared
-  encode(event.payload, *fitting, declared, &objects_);
+  // a service emits what it declared
+  NAO_CHECK(encodeEvent(event.payload, arguments, known.declared, &objects_));
 }
 
 }  // namespace nao::wire

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -32,6 +33,10 @@ class Subscriptions {
   /// False if there is no such subscription.
   bool remove(const Address& signal, std::uint64_t link);
 
+  /// Ends the subscription of that number of ours, if there still is one. It may be called later
+  /// than this lives.
+  std::function<void()> dropper(std::uint64_t number);
+
   /// Forgets all subscriptions to one object.
   void removeObject(std::uint32_t service, std::uint32_t object);
   void clear();
@@ -56,6 +61,7 @@ class Subscriptions {
   ObjectHost& objects_;
   All all_;
   std::uint64_t next_ = 1;
+  std::shared_ptr<Subscriptions*> alive_ = std::make_shared<Subscriptions*>(this);
 };
 
 }  // namespace nao::wire

@@ -13,7 +13,7 @@ namespace nao::wire {
 /// The two services of the server in the capture `nao_clients`, as number 2 and 3.
 class CapturedRobot {
  public:
-  CapturedRobot() : hub(DemoHub::options(rpc::Personality::libqi4())) {
+  CapturedRobot() : hub(DemoHub::options(rpc::Personality::libqi4(), {})) {
     hub.add(motion());
     hub.add(cameras());
   }

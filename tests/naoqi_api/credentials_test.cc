@@ -55,7 +55,7 @@ class GuardedHub : public testing::Test {
  protected:
   GuardedHub() {
     const TextFile file("nao secret\n");
-    rpc::HubOptions options = DemoHub::options(rpc::Personality::naoqi());
+    rpc::HubOptions options = DemoHub::options(rpc::Personality::naoqi(), {});
     options.credentials =
         std::make_shared<const rpc::Credentials>(rpc::Credentials::load(file.path()));
     hub_ = std::make_unique<rpc::ServiceHub>(options);

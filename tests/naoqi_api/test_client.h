@@ -86,13 +86,14 @@ class TestClient {
 
 /// A hub with the Demo service as number 2.
 struct DemoHub {
-  explicit DemoHub(rpc::Personality personality = rpc::Personality::naoqi())
-      : hub(options(std::move(personality))) {
+  explicit DemoHub(rpc::Personality personality = rpc::Personality::naoqi(), rpc::Alarm alarm = {})
+      : hub(options(std::move(personality), std::move(alarm))) {
     hub.add(demo.describe());
   }
 
-  static rpc::HubOptions options(rpc::Personality personality) {
+  static rpc::HubOptions options(rpc::Personality personality, rpc::Alarm alarm) {
     rpc::HubOptions options;
+    options.alarm = std::move(alarm);
     options.personality = std::move(personality);
     options.machine_id = "01234567-89ab-cdef-0123-456789abcdef";
     options.process_id = 42;

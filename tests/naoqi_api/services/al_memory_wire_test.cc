@@ -77,7 +77,7 @@ class AlMemoryWireTest : public ::testing::Test {
   memory::RobotMemory memory_{*model_, std::make_shared<motion::RobotPorts>(), "nao",
                               [] { return Duration(); }};
   AlMemory al_memory_{memory_, [this](const std::string& name) { return hub_.findRemote(name); }};
-  rpc::ServiceHub hub_{wire::DemoHub::options(rpc::Personality::naoqi())};
+  rpc::ServiceHub hub_{wire::DemoHub::options(rpc::Personality::naoqi(), {})};
   std::uint32_t id_;
   wire::TestClient client_{hub_};
   wire::TestClient other_{hub_};
