@@ -135,7 +135,7 @@ class Host:
             if not connection.isOpen():
                 signal.disconnect(ours)
                 return
-            event = self.exported(signal.event(values), connection, message.service)
+            event = self.exported(values, connection, message.service)
             payload = encode(signal.tupleSignature(), convert(signal.tupleSignature(), event))
             connection.emit(message.service, message.object, uid, payload)
 

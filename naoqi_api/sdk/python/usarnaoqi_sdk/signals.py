@@ -63,15 +63,9 @@ class Signal:
             job(values)
 
     def tupleSignature(self) -> str:
-        """The signature of what an event carries to others: one value of any type if the signal
-        has no signature of its own."""
-        return "(m)" if self.signature == "m" else self.signature
-
-    def event(self, values: tuple) -> tuple:
-        """What an event carries to others: without a signature, several values are one list."""
-        if self.tupleSignature() != "(m)" or len(values) == 1:
-            return values
-        return (list(values) if values else None,)
+        """The signature of what an event carries to others: a tuple of the values, or "m", which
+        holds the tuple of whatever they are."""
+        return self.signature
 
 
 class Property(Signal):
