@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "core/latest.h"
 #include "core/leds.h"
 #include "core/mailbox.h"
@@ -17,6 +19,14 @@ struct RobotPorts {
   Mailbox<MotionOutcome> outcomes{8192};
   Latest<SensorFrame> sensors;
   Latest<MotionState> state;
+  /// The frames that feel another touch than the one before: a short press lies between two looks
+  /// at the newest. What no longer fits is lost.
+  Mailbox<std::shared_ptr<const SensorFrame>> touches{256};
+
+  void publish(std::shared_ptr<const SensorFrame> frame);
 };
+
+/// Whether both feel the same pressed: head, hands, chest button and bumpers.
+bool feelTheSame(const SensorFrame& one, const SensorFrame& other);
 
 }  // namespace nao::motion

@@ -105,9 +105,21 @@ void RobotLink::cancelTimer(std::uint64_t timer) {
 }
 
 void RobotLink::deliver() {
+  deliverTouches();
   deliverOutcomes();
   deliverConditions();
   deliverTimers();
+}
+
+void RobotLink::deliverTouches() {
+  for (const auto& frame : ports_->touches.drain()) tellTouch(frame);
+  tellTouch(ports_->sensors.get());  // if some did not fit
+}
+
+void RobotLink::tellTouch(const std::shared_ptr<const SensorFrame>& frame) {
+  if (!frame || motion::feelTheSame(*frame, touch_told_ ? *touch_told_ : SensorFrame())) return;
+  touch_told_ = frame;
+  for (const Touched& tell : on_touch_) tell(frame);
 }
 
 void RobotLink::deliverOutcomes() {

@@ -81,8 +81,13 @@ class RobotLink {
   std::uint64_t after(Duration delay, std::function<void()> callback);
   void cancelTimer(std::uint64_t timer);
 
-  /// Hands on what the robot has published since: outcomes, fulfilled conditions, due timers. The
-  /// daemon calls it on the I/O thread after the robot's cycles.
+  /// `told` is called with every frame that feels another touch than the one told before, in order,
+  /// as often as the link lives; the newest was told last.
+  using Touched = std::function<void(const std::shared_ptr<const SensorFrame>&)>;
+  void onTouch(Touched told) { on_touch_.push_back(std::move(told)); }
+
+  /// Hands on what the robot has published since: touches, outcomes, fulfilled conditions, due
+  /// timers. The daemon calls it on the I/O thread after the robot's cycles.
   void deliver();
 
  private:
@@ -101,6 +106,8 @@ class RobotLink {
   bool isSettled() const;
   void forgetCanceled();
   static bool holds(const Waiting& waiting, const motion::MotionState* state);
+  void deliverTouches();
+  void tellTouch(const std::shared_ptr<const SensorFrame>& frame);
   void deliverOutcomes();
   void deliverConditions();
   void deliverTimers();
@@ -112,6 +119,8 @@ class RobotLink {
   std::map<motion::RequestId, rpc::Pending<motion::MotionOutcome>> awaited_;
   std::vector<Waiting> waiting_;
   std::size_t forget_at_ = kForgetAt;  // so many waiting, some of them canceled perhaps
+  std::vector<Touched> on_touch_;
+  std::shared_ptr<const SensorFrame> touch_told_;  // the last frame that was, or null
   std::multimap<SimTime, Timer> timers_;
   std::uint64_t last_timer_ = 0;
   std::uint64_t set_back_ = 0;  // seen last, with

@@ -32,7 +32,7 @@ void Robot::acceptRequests() {
 JointCommand Robot::tick(const SensorFrame& frame) {
   for (const motion::MotionRequest& request : ports_->requests.drain()) accept(request);
   JointCommand command = motion_.update(frame);
-  ports_->sensors.publish(frame);
+  ports_->publish(std::make_shared<const SensorFrame>(frame));
   publish();
   return command;
 }
@@ -64,7 +64,7 @@ void Robot::restore(const Snapshot& snapshot) {
   endOpen(motion::MotionOutcome::Kind::Failed, motion::kSetBackReason);
   ++set_back_;
   motion_ = snapshot.motion;
-  ports_->sensors.publish(snapshot.sensors);
+  ports_->publish(snapshot.sensors);
   publish();
 }
 

@@ -139,18 +139,15 @@ ServicePointer makeTouch(const ServiceContext& context) {
       },
       "[[place, whether it is touched, []], ...]");
   const auto touched = std::make_shared<std::map<std::string, bool>>();
-  repeat(context.later, std::chrono::milliseconds(20), places,
-         [raw = places.get(), touched, &link, &store = context.store()] {
-           const auto frame = link.sensors();
-           std::vector<Value> changed;
-           for (const TouchPlace& place : *raw) {
-             const bool now = place.read(*frame);
-             if ((*touched)[place.name] == now) continue;
-             (*touched)[place.name] = now;
-             changed.push_back(Value::list({place.name, now}));
-           }
-           if (!changed.empty()) store.raiseEvent("TouchChanged", Value::list(std::move(changed)));
-         });
+  link.onTouch([places, touched, &store = context.store()](const auto& frame) {
+    std::vector<Value> changed;
+    for (const TouchPlace& place : *places) {
+      const bool now = place.read(*frame);
+      if (std::exchange((*touched)[place.name], now) == now) continue;
+      changed.push_back(Value::list({place.name, now}));
+    }
+    if (!changed.empty()) store.raiseEvent("TouchChanged", Value::list(std::move(changed)));
+  });
   service->owning(places);
   return service;
 }

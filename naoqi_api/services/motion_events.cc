@@ -42,6 +42,9 @@ MotionEvents::MotionEvents(RobotLink& link, memory::RobotMemory& memory)
     memory_.store().declareEvent(key);
     devices_.push_back(key);
   }
+  link_.onTouch([this](const std::shared_ptr<const SensorFrame>& frame) {
+    if (const auto state = memory_.devices().frames().state) raiseDevices({frame, state});
+  });
 }
 
 void MotionEvents::deliver() {

@@ -14,11 +14,11 @@ namespace nao::services {
 /// Raises in ALMemory what a robot does: each event among its device keys when its value changes
 /// (robotHasFallen, BodyStiffnessChanged, bumpers ...), ALMotion/Stiffness/wakeUpStarted and its
 /// like, ALMotion/MoveFailed, and once per second PostureChanged and PostureFamilyChanged. Compares
-/// what the robot published with what it had published before: what comes and goes between two
-/// deliveries is not seen. I/O thread.
+/// what the robot published with what it had published before: but for touches, what comes and goes
+/// between two deliveries is not seen. I/O thread.
 class MotionEvents {
  public:
-  /// Declares the events. Both outlive this.
+  /// Declares the events. Both outlive this, and the link delivers nothing after it.
   MotionEvents(RobotLink& link, memory::RobotMemory& memory);
 
   /// After the link's own delivery. Nothing happens before the robot's first cycle.

@@ -53,7 +53,7 @@ class AlMemoryTest : public ::testing::Test {
     SensorFrame frame;
     frame.angle = frame.current = frame.temperature = JointArray<double>(model_->jointCount());
     frame.angle[*model_->findJoint("HeadYaw")] = 0.5;
-    ports_->sensors.publish(frame);
+    ports_->publish(std::make_shared<const SensorFrame>(frame));
     motion::MotionState state;
     state.command.angle = state.command.stiffness = frame.angle;
     ports_->state.publish(state);

@@ -41,7 +41,7 @@ TEST_F(AlMotionUncommon, ACurrentMakesATorqueTowardsTheCommand) {
   bench_.frame.current = JointArray<double>(bench_.model->jointCount());
   bench_.frame.current[joint("LKneePitch")] = 1;
   bench_.frame.angle[joint("LKneePitch")] += 0.02;  // below its command
-  bench_.ports->sensors.publish(bench_.frame);
+  bench_.ports->publish(std::make_shared<const SensorFrame>(bench_.frame));
   const double constant = knee.efficiency * 21.6 / knee.no_load_speed;
   EXPECT_NEAR(floats("_getTorque", {"LKneePitch", true})[0], -constant, 1e-4);
   EXPECT_NEAR(floats("_getTorque", {"LKneePitch", false})[0], -0.02 * knee.kp, 1e-3);
@@ -49,7 +49,7 @@ TEST_F(AlMotionUncommon, ACurrentMakesATorqueTowardsTheCommand) {
 
 TEST_F(AlMotionUncommon, ALimpJointIsAskedForNoTorque) {
   bench_.frame.angle[joint("LKneePitch")] += 0.05;
-  bench_.ports->sensors.publish(bench_.frame);
+  bench_.ports->publish(std::make_shared<const SensorFrame>(bench_.frame));
   EXPECT_EQ(floats("_getTorque", {"LKneePitch", false})[0], 0);
   EXPECT_EQ(floats("_getTorque", {"Body", false}).size(),
             call("ALMotion", "getBodyNames", {"Body"}).findItems()->size());

@@ -1,5 +1,6 @@
 #include "naoqi_api/services/board_services.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/naoqi_api/services/services_bench.h"
@@ -41,6 +42,46 @@ TEST_F(BoardServices, TouchChangedTellsWhatChanged) {
   bench_.frame.touch.head[1] = false;
   run(0.1);
   EXPECT_EQ(data("TouchChanged"), Value::list({Value::list({"Head/Touch/Middle", false})}));
+}
+
+// Time may go faster than clients are served: many cycles lie between two deliveries.
+TEST_F(BoardServices, APressShorterThanADeliveryIsTold) {
+  std::vector<std::string> heard;
+  std::vector<std::shared_ptr<void>> tokens;
+  for (const char* event : {"MiddleTactilTouched", "RightBumperPressed", "TouchChanged"}) {
+    tokens.push_back(
+        services_.memory().store().listen(event, [&heard](const auto& key, const auto& value) {
+          heard.push_back(key + " " + value.print());
+        }));
+  }
+  const auto publish = [this] {
+    bench_.ports->publish(std::make_shared<const SensorFrame>(bench_.frame));
+  };
+  bench_.frame.touch.head[1] = true;
+  publish();
+  bench_.frame.touch.head[1] = false;
+  publish();
+  bench_.frame.feet[1].bumper[0] = true;
+  publish();
+  bench_.frame.feet[1].bumper[0] = false;
+  publish();
+  cycle();
+  EXPECT_THAT(heard, testing::UnorderedElementsAre(
+                         "MiddleTactilTouched 1", "MiddleTactilTouched 0", "RightBumperPressed 1",
+                         "RightBumperPressed 0", "TouchChanged [[\"Head/Touch/Middle\", true]]",
+                         "TouchChanged [[\"Head/Touch/Middle\", false]]",
+                         "TouchChanged [[\"RFoot/Bumper/Left\", true]]",
+                         "TouchChanged [[\"RFoot/Bumper/Left\", false]]"));
+}
+
+TEST_F(BoardServices, TouchesBeyondWhatIsKeptAreLostButNotWhatIsFeltAtTheEnd) {
+  for (int i = 0; i < 1001; ++i) {
+    bench_.frame.touch.chest_button = i % 2 == 0;
+    bench_.ports->publish(std::make_shared<const SensorFrame>(bench_.frame));
+  }
+  cycle();
+  EXPECT_EQ(number(data("ChestButtonPressed")), 1);
+  EXPECT_EQ(data("TouchChanged"), Value::list({Value::list({"ChestBoard/Button", true})}));
 }
 
 TEST_F(BoardServices, TheBatteryIsTheRobots) {

@@ -81,7 +81,7 @@ class ObstacleReflexAlone : public testing::Test {
     sensors.time = SimTime(std::chrono::seconds(1));
     sensors.angle = JointArray<double>(model_->jointCount());
     for (auto& echoes : sensors.sonar) echoes.fill(0.3);
-    ports_->sensors.publish(sensors);
+    ports_->publish(std::make_shared<const SensorFrame>(sensors));
     motion::MotionState state;
     state.time = sensors.time;
     state.move_active = true;

@@ -29,7 +29,7 @@ class RobotBench {
   void cycle() {
     for (const auto& request : ports->requests.drain()) engine.accept(request);
     const JointCommand command = engine.update(frame);
-    ports->sensors.publish(frame);
+    ports->publish(std::make_shared<const SensorFrame>(frame));
     ports->state.publish(engine.state());
     for (auto& outcome : engine.takeOutcomes()) ASSERT_TRUE(ports->outcomes.post(outcome));
     frame.time += model->cycle;
