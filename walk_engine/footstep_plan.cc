@@ -15,6 +15,8 @@ constexpr double kSamePlace = 1e-6;  // [m], [rad] below anything a command can 
 // [m], [rad] A robot that sways has each landing moved a little; steps that only undo that sway it
 // on and never end. Free: a twentieth of a sole's width.
 constexpr double kCloseEnough = 0.005;
+// Steps to where the goal wants that foot: one each, and one each that mends the landing. Free.
+constexpr int kMostArrivals = 4;
 
 bool same(const Pose2& a, const Pose2& b, double tolerance = kSamePlace) {
   return std::hypot(a.x - b.x, a.y - b.y) < tolerance &&
@@ -58,6 +60,12 @@ GaitConfig widestGait() {
   return gait;
 }
 
+// Whether it takes its foot to where the goal wants it.
+bool arrives(const Goal& goal, const PlannedStep& step) {
+  return goal.kind == Goal::Kind::Stand ||
+         (goal.kind == Goal::Kind::Target && same(step.to, soleAt(goal.target, step.swing)));
+}
+
 double smooth(double s) { return s * s * (3 - 2 * s); }
 
 }  // namespace
@@ -79,6 +87,7 @@ void PlannedStep::archive(Archive& archive) {
   archive.value(from);
   archive.value(to);
   archive.value(start);
+  archive.value(arrives);
   for (int* ticks : {&double_support, &single_support, &shift}) archive.value(*ticks);
   archive.value(height);
   archive.numbers(zmp_from);
@@ -138,6 +147,7 @@ void FootstepPlan::reset(const FeetPlaces& feet, std::int64_t now) {
   steps_.clear();
   goal_ = Goal();
   complete_ = true;
+  arrivals_ = 0;
   stand_zmp_ = zmpBetween(feet_);
   stand_since_ = now - ticks(tuning_.end_double_support);
 }
@@ -150,6 +160,7 @@ void FootstepPlan::follow(const Goal& goal, std::int64_t now) {
   rest_first_ = resting && (steps_.empty() || steps_.front().end() - now < ticks(kNotice));
   goal_ = goal;
   complete_ = false;
+  arrivals_ = 0;
   begin_ = now;
   if (steps_.size() > 1) steps_.erase(steps_.begin() + 1, steps_.end());
 }
@@ -194,6 +205,12 @@ std::vector<StepOrder> FootstepPlan::withdrawOrders() const {
   return orders;
 }
 
+bool FootstepPlan::hasArrived() const {
+  const auto planned = std::count_if(steps_.begin(), steps_.end(),
+                                     [](const PlannedStep& step) { return step.arrives; });
+  return arrivals_ + planned >= kMostArrivals;
+}
+
 // What the goal asks for at the end of the plan.
 std::optional<FootstepPlan::NextStep> FootstepPlan::chooseNext(const FeetPlaces& feet) {
   if (goal_.kind == Goal::Kind::Steps) {
@@ -204,6 +221,7 @@ std::optional<FootstepPlan::NextStep> FootstepPlan::chooseNext(const FeetPlaces&
     return NextStep{next.foot, compose(support, clipStep(next.place, next.foot, widestGait())),
                     std::max(next.period, kShortestStep)};
   }
+  if (hasArrived()) return std::nullopt;
   const Foot swing = steps_.empty() ? chooseFirstFoot(goal_, feet) : otherFoot(steps_.back().swing);
   FeetPlaces base = feet;
   // Before the first step the feet may be splayed: the way ahead is R's, not the support's.
@@ -229,8 +247,10 @@ bool FootstepPlan::append() {
   step.double_support = ticks(tuning_.double_support_share * period * tick_seconds_);
   step.shift = step.double_support;
   const double way = std::hypot(step.to.x - step.from.x, step.to.y - step.from.y);  // [m]
-  step.single_support = std::max(period - step.double_support, ticks(way / tuning_.swing_speed));
   step.height = goal_.config.step_height;
+  step.single_support = std::max({period - step.double_support, ticks(way / tuning_.swing_speed),
+                                  ticks(step.height / tuning_.lift_speed)});
+  step.arrives = arrives(goal_, step);
   step.zmp_from = steps_.empty() ? Vector2d::Zero() : steps_.back().zmp_to;
   step.zmp_to = zmpOf(feet[index(support)], support);
   if (rest_first_) {
@@ -271,6 +291,7 @@ void FootstepPlan::advance(std::int64_t now, std::int64_t horizon) {
   while (!steps_.empty() && steps_.front().end() <= now) {
     const PlannedStep& done = steps_.front();
     feet_[index(done.swing)] = done.to;
+    arrivals_ += done.arrives ? 1 : 0;
     stand_since_ = done.end();
     stand_zmp_ = done.zmp_to;
     steps_.erase(steps_.begin());
@@ -310,6 +331,7 @@ void FootstepPlan::archive(Archive& archive) {
   archive.each(steps_, [&archive](PlannedStep& step) { step.archive(archive); });
   archive.value(inset_);
   archive.value(complete_);
+  archive.value(arrivals_);
   archive.value(rest_first_);
   archive.value(begin_);
   archive.value(stand_since_);

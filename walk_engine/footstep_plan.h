@@ -47,6 +47,7 @@ struct PlannedStep {
   int single_support = 0;            // [ticks]
   int shift = 0;                     // [ticks] end of the double support in which the weight moves
   double height = 0;                 // [m] of the swing
+  bool arrives = false;              // where the goal wants that foot
   Eigen::Vector2d zmp_from, zmp_to;  // [m] moves over during the shift, then rests
   Eigen::Vector2d moved = Eigen::Vector2d::Zero();  // [m] part of `to` that answers a push
   std::int64_t lift() const { return start + double_support; }
@@ -57,8 +58,9 @@ struct PlannedStep {
 
 /// The steps from now on and the zero moment point they ask for, on a clock of ticks of one
 /// control cycle each. The step under way changes only to
-/// catch a push; later ones follow the newest goal. After
-/// the last step the point moves between the feet and stays there.
+/// catch a push; later ones follow the newest goal. A robot that sways lands beside the place where
+/// its last step was to go, and again when it steps there anew: some such steps on it stays where
+/// it is. After the last step the point moves between the feet and stays there.
 class FootstepPlan {
  public:
   FootstepPlan(const Tuning& tuning, double tick_seconds);
@@ -107,6 +109,7 @@ class FootstepPlan {
   Eigen::Vector2d settle(const Eigen::Vector2d& from, const Eigen::Vector2d& rest,
                          std::int64_t elapsed) const;
   bool append();
+  bool hasArrived() const;
   std::optional<NextStep> chooseNext(const FeetPlaces& feet);
   std::vector<motion::StepOrder> withdrawOrders() const;
   FeetPlaces lastFeet() const;
@@ -122,6 +125,7 @@ class FootstepPlan {
   std::vector<PlannedStep> steps_;  // the first may be under way
   double inset_ = 0;                // [m]
   bool complete_ = true;            // the goal asks for no further steps
+  int arrivals_ = 0;                // of steps to the newest goal
   bool rest_first_ = false;         // before the next step, the body comes to rest
   std::int64_t begin_ = 0;          // tick of the newest goal
   std::int64_t stand_since_ = 0;    // tick at which the last step ended

@@ -35,8 +35,11 @@ struct Tuning {
   double sway_memory = 0.7;   // of it that the next step keeps; free
   double usual_sway = 0.018;  // [m] of the capture point in undisturbed steps; free
   double step_gain = 2;       // of what is beyond, answered by the next landing; 0: never; free
-  double swing_speed = 0.6;   // [m/s] mean of the swinging foot: a longer way takes longer, as
-                              // the motors give less torque when fast; free
+  double lift_speed = 0.09;  // [m/s] height by the time of the swing: a higher one takes longer, as
+                             // a knee can not go faster; free, 0.07-0.1: from 0.12 on the foot
+                             // is still in the air when the weight comes
+  double swing_speed = 0.6;  // [m/s] mean of the swinging foot: a longer way takes longer, as
+                             // the motors give less torque when fast; free
 };
 
 /// The same gait without an answer to what it senses.

@@ -205,5 +205,41 @@ TEST_F(FootstepPlanTest, AnOrderedStepOutOfReachIsClippedToTheWidestGait) {
   EXPECT_NEAR(plan_.feet()[0].x, 0.08, kSame);
 }
 
+// What a swaying robot does: every landing is moved by a centimetre, to and fro.
+TEST_F(FootstepPlanTest, ComesToRestThoughEveryLandingGoesAstray) {
+  for (const Goal& goal : {toTarget({0.2, 0, 0}), Goal()}) {
+    plan_.reset({Pose2{0, 0.05, 0}, Pose2{0.04, -0.05, 0}}, tick_);
+    plan_.follow(goal, tick_);
+    std::int64_t start = -1;
+    double side = 0.01;
+    for (const std::int64_t end = tick_ + 1500; !plan_.atRest(tick_) && tick_ < end;) {
+      runFor(1);
+      const PlannedStep* step = plan_.current();
+      if (step == nullptr || step->start == start || tick_ <= step->lift()) continue;
+      start = step->start;
+      plan_.moveLanding({side, 0});
+      side = -side;
+    }
+    ASSERT_TRUE(plan_.atRest(tick_));
+    if (goal.kind == Goal::Kind::Stand) continue;
+    EXPECT_NEAR(robotPlace(plan_.feet()).x, 0.2, 0.01);  // each foot is a centimetre off at most
+  }
+}
+
+TEST_F(FootstepPlanTest, MendsALastLandingThatWentAstrayOnce) {
+  plan_.follow(toTarget({0.2, 0, 0}), tick_);
+  bool moved = false;
+  while (!plan_.atRest(tick_)) {
+    runFor(1);
+    const PlannedStep* step = plan_.current();
+    if (moved || step == nullptr || !step->arrives || tick_ <= step->lift()) continue;
+    plan_.moveLanding({0.02, 0.01});
+    moved = true;
+  }
+  EXPECT_TRUE(moved);
+  EXPECT_NEAR(robotPlace(plan_.feet()).x, 0.2, kSame);
+  EXPECT_NEAR(robotPlace(plan_.feet()).y, 0, kSame);
+}
+
 }  // namespace
 }  // namespace nao::walk

@@ -89,6 +89,19 @@ TEST_P(WalkPhysics, ArrivesWhereMoveToSays) {
   }
 }
 
+TEST_P(WalkPhysics, ArrivesWithStepsOfAnyHeight) {
+  for (const double height : {0.005, 0.03, 0.035, 0.04}) {  // ALMotion's range
+    Trial trial(GetParam());
+    GaitConfig config;
+    config.step_height = height;
+    trial.gait().walkTo({0.2, 0, 0}, config);
+    trial.settle(0.6);
+    trial.runToEnd(10);
+    expectTrue(trial, "moveTo, StepHeight " + std::to_string(height));
+    EXPECT_FALSE(trial.gait().active());
+  }
+}
+
 TEST_P(WalkPhysics, StartsFromAnyStandingPosture) {
   for (const char* posture : {"StandInit", "Stand", "StandZero", "Crouch"}) {
     Trial trial(GetParam(), posture);
