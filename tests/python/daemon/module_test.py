@@ -108,6 +108,7 @@ class ModuleTest(unittest.TestCase):
         class Clock:
             def __init__(self):
                 self.tick = qi.Signal("(is)")
+                self.alarm = qi.Signal()
                 self.rate = qi.Property("f", 1.0)
 
         clock, heard = Clock(), queue.Queue()
@@ -117,9 +118,11 @@ class ModuleTest(unittest.TestCase):
         offering.registerService("Clock", clock)
         remote = using.service("Clock")
         remote.tick.connect(lambda *values: heard.put(values))
-        remote.rate.value()  # there and back: by then the subscription has arrived, too
-        clock.tick(1, "one")
+        clock.tick(1, "one")  # connect() has ended: nothing is lost from now on
         self.assertEqual(heard.get(timeout=SOON), (1, "one"))
+        remote.alarm.connect(lambda *values: heard.put(values))
+        clock.alarm(2, ["two", 2.5])
+        self.assertEqual(heard.get(timeout=SOON), (2, ["two", 2.5]))
         remote.rate.setValue(2)
         self.assertEqual((clock.rate.value(), remote.rate.value()), (2.0, 2.0))
 
