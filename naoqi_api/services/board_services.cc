@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "naoqi_api/services/chest_button.h"
 #include "naoqi_api/services/extractor.h"
 #include "naoqi_api/services/make_module.h"
 #include "naoqi_api/services/naoqi_method.h"
@@ -246,16 +247,11 @@ ServicePointer makeBodyTemperature(const ServiceContext& context) {
 }  // namespace
 
 std::vector<ServicePointer> makeBoardServices(const ServiceContext& context) {
-  for (const char* event :
-       {"ALChestButton/SimpleClickOccurred", "ALChestButton/DoubleClickOccurred",
-        "ALChestButton/TripleClickOccurred"}) {
-    context.store().declareEvent(event, "ALChestButton");
-  }
   return {makeSensors(context),
           makeSonar(context),
           makeTouch(context),
           makeModule("ALFsr", "The feet's contact: see footContact and footContactChanged."),
-          makeModule("ALChestButton", "The chest button: see ChestButtonPressed."),
+          makeChestButton(context),
           makeSentinel(context),
           makeBattery(context),
           makeBodyTemperature(context)};

@@ -84,6 +84,28 @@ TEST_F(BoardServices, TouchesBeyondWhatIsKeptAreLostButNotWhatIsFeltAtTheEnd) {
   EXPECT_EQ(data("TouchChanged"), Value::list({Value::list({"ChestBoard/Button", true})}));
 }
 
+TEST_F(BoardServices, ClicksOfTheChestButtonAreCountedInRows) {
+  std::vector<std::string> heard;
+  std::vector<std::shared_ptr<void>> tokens;
+  for (const char* which : {"Simple", "Double", "Triple"}) {
+    const std::string event = std::string("ALChestButton/") + which + "ClickOccurred";
+    tokens.push_back(services_.memory().store().listen(
+        event, [&heard, which](const auto& /*key*/, const auto& /*value*/) {
+          heard.emplace_back(which);
+        }));
+  }
+  for (const int clicks : {1, 3, 2, 4}) {
+    for (int i = 0; i < clicks; ++i) {
+      bench_.frame.touch.chest_button = true;
+      run(0.1);
+      bench_.frame.touch.chest_button = false;
+      run(0.2);
+    }
+    run(1);
+  }
+  EXPECT_THAT(heard, testing::ElementsAre("Simple", "Triple", "Double"));  // four are none of them
+}
+
 TEST_F(BoardServices, TheBatteryIsTheRobots) {
   run(1.2);
   bench_.frame.battery.charge = 0.42;
