@@ -131,6 +131,10 @@ TEST_F(AlMotionTest, MoveConfigurationIsListed) {
   EXPECT_EQ(call("getFootGaitConfig", {"Max"}).findItems()->size(), 8u);
   EXPECT_EQ(errorOf("moveTo", {0.1F, 0.0F, 0.0F, list({list({"Speed", 1})})}),
             "\tALMotion::moveTo\n\tunknown name in the move configuration: Speed");
+  // Text is never a number, as with ALValue, though a sample of ALNavigation's that went round in
+  // public programs writes it so.
+  EXPECT_EQ(errorOf("moveTo", {0.1F, 0.0F, 0.0F, list({list({"MaxStepX", "0.06"})})}),
+            "\tALMotion::moveTo\n\texpected [name, value], got [\"MaxStepX\", \"0.06\"]");
 }
 
 TEST_F(AlMotionTest, TasksAreListedBookedAndKilled) {
