@@ -17,6 +17,14 @@ struct JointCommand {
   JointArray<double> stiffness;  // 0 limp to 1 full torque; negative: motor off
 };
 
+/// What a program asks of the body itself, past the motion side, as LoLA does. Whole: what it did
+/// not mention last is as it was.
+struct BodyCommand {
+  std::uint64_t number = 0;      // another one for every command of a robot
+  JointArray<double> angle;      // [rad]; NaN: never asked for
+  JointArray<double> stiffness;  // as in JointCommand
+};
+
 /// The two feet of a biped, where arrays are indexed by foot.
 enum class Foot : std::uint8_t { Left = 0, Right = 1 };
 constexpr std::size_t index(Foot foot) { return static_cast<std::size_t>(foot); }

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/check.h"
+#include "core/lola_joints.h"
 #include "validation/log/convert_formats.h"
 #include "validation/log/json_map.h"
 #include "validation/log/lola_rows.h"
@@ -57,12 +58,7 @@ void addCommand(LogRun& run, const Json& frame) {
 }  // namespace
 
 const std::vector<std::string>& lolaJoints() {
-  static const std::vector<std::string> kJoints{
-      "HeadYaw",    "HeadPitch",   "LShoulderPitch", "LShoulderRoll",  "LElbowYaw",
-      "LElbowRoll", "LWristYaw",   "LHipYawPitch",   "LHipRoll",       "LHipPitch",
-      "LKneePitch", "LAnklePitch", "LAnkleRoll",     "RHipRoll",       "RHipPitch",
-      "RKneePitch", "RAnklePitch", "RAnkleRoll",     "RShoulderPitch", "RShoulderRoll",
-      "RElbowYaw",  "RElbowRoll",  "RWristYaw",      "LHand",          "RHand"};
+  static const std::vector<std::string> kJoints(kLolaJoints.begin(), kLolaJoints.end());
   return kJoints;
 }
 
