@@ -28,6 +28,7 @@ struct MotionState {
   RequestId last_accepted = 0;  // every request up to here has taken effect
   JointCommand command;
   JointArray<double> stiffness;  // asked for; smart stiffness may command less
+  bool driven = false;           // by a program past all motions: command and stiffness are its own
   bool awake = false;
   bool move_active = false;
   std::uint64_t moves_failed = 0;  // how many moves were refused, or ended before they should

@@ -12,10 +12,12 @@
 namespace nao::motion {
 
 /// Where the thread of the simulation and the thread of the services meet, for one robot.
-/// The robot drains `requests` and `leds`, and publishes the rest; services do the opposite.
+/// The robot drains `requests` and `leds`, reads `body`, and publishes the rest; services do the
+/// opposite.
 struct RobotPorts {
   Mailbox<MotionRequest> requests{1024};
   Mailbox<LedOrder> leds{1024};
+  Latest<BodyCommand> body;  // of a program that drives past all motions; null: there never was one
   Mailbox<MotionOutcome> outcomes{8192};
   Latest<SensorFrame> sensors;
   Latest<MotionState> state;

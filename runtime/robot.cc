@@ -7,6 +7,8 @@
 namespace nao::runtime {
 namespace {
 
+constexpr char kDrivenReason[] = "a LoLA client drives the robot's body";
+
 motion::MotionEngine makeEngine(const std::shared_ptr<const RobotModel>& model) {
   auto gait = model->feet.size() == 2 ? walk::makeZmpGait(model) : nullptr;
   return {model, std::move(gait)};
@@ -30,28 +32,41 @@ void Robot::acceptRequests() {
 }
 
 JointCommand Robot::tick(const SensorFrame& frame) {
+  const bool drove = drive_.drives();
+  drive_.update(ports_->body.get().get(), frame.time);
+  if (drive_.drives() && !drove) powerCycle(motion::MotionOutcome::Kind::Failed, kDrivenReason);
   for (const motion::MotionRequest& request : ports_->requests.drain()) accept(request);
   JointCommand command = motion_.update(frame);
+  if (drive_.drives()) command = drive_.drive(*model_, frame);
   ports_->publish(std::make_shared<const SensorFrame>(frame));
   publish();
   return command;
 }
 
 void Robot::accept(const motion::MotionRequest& request) {
-  open_.insert(request.id);
   last_accepted_ = request.id;
+  if (drive_.drives()) {
+    unsent_.push_back({request.id, motion::MotionOutcome::Kind::Failed, kDrivenReason});
+    return;
+  }
+  open_.insert(request.id);
   motion_.accept(request);
 }
 
 void Robot::restart() {
   acceptRequests();
-  endOpen(motion::MotionOutcome::Kind::Killed, "the robot was restarted");
-  motion_ = at_start_;
+  drive_.release();
+  powerCycle(motion::MotionOutcome::Kind::Killed, "the robot was restarted");
   publish();
 }
 
+void Robot::powerCycle(motion::MotionOutcome::Kind kind, const char* reason) {
+  endOpen(kind, reason);
+  motion_ = at_start_;
+}
+
 Robot::Snapshot Robot::snapshot() const {
-  Snapshot snapshot{motion_, ports_->sensors.get()};
+  Snapshot snapshot{motion_, drive_, ports_->sensors.get()};
   snapshot.motion.forgetCallers();
   return snapshot;
 }
@@ -64,6 +79,7 @@ void Robot::restore(const Snapshot& snapshot) {
   endOpen(motion::MotionOutcome::Kind::Failed, motion::kSetBackReason);
   ++set_back_;
   motion_ = snapshot.motion;
+  drive_.restore(snapshot.drive);
   ports_->publish(snapshot.sensors);
   publish();
 }
@@ -77,6 +93,11 @@ void Robot::publish() {
   motion::MotionState state = motion_.state();
   state.last_accepted = last_accepted_;
   state.set_back = set_back_;
+  state.driven = drive_.drives();
+  if (state.driven) {
+    state.command = drive_.given();
+    state.stiffness = state.command.stiffness;
+  }
   ports_->state.publish(std::move(state));
   for (motion::MotionOutcome& outcome : motion_.takeOutcomes()) {
     open_.erase(outcome.id);

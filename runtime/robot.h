@@ -10,11 +10,16 @@
 #include "core/robot_model.h"
 #include "motion/motion_engine.h"
 #include "motion/robot_ports.h"
+#include "runtime/body_drive.h"
 
 namespace nao::runtime {
 
 /// One robot without its body: requests in, a joint command per cycle out. Lives on the
 /// simulation thread; other threads hold its ports.
+///
+/// Who drives: a program that commands the body itself (RobotPorts::body), as long as it does so
+/// (BodyDrive). Its first command ends every motion and starts the motion side anew, as after a
+/// power cycle; while it drives, requests of motions fail.
 class Robot {
  public:
   explicit Robot(std::shared_ptr<const RobotModel> model);
@@ -36,6 +41,7 @@ class Robot {
   /// All of the robot that goes on in time, as a value.
   struct Snapshot {
     motion::MotionEngine motion;
+    BodyDrive drive;
     std::shared_ptr<const SensorFrame> sensors;  // published last, or null
   };
   Snapshot snapshot() const;
@@ -45,17 +51,22 @@ class Robot {
   void restore(const Snapshot& snapshot);
 
   /// Adds what decides how the robot goes on.
-  void addTo(Archive& hash) const { motion_.addTo(hash); }
+  void addTo(Archive& hash) const {
+    motion_.addTo(hash);
+    drive_.addTo(hash);
+  }
 
  private:
   void accept(const motion::MotionRequest& request);
   void publish();
+  void powerCycle(motion::MotionOutcome::Kind kind, const char* reason);
   void endOpen(motion::MotionOutcome::Kind kind, const char* reason);
 
   std::shared_ptr<const RobotModel> model_;
   std::shared_ptr<motion::RobotPorts> ports_;
   const motion::MotionEngine at_start_;
   motion::MotionEngine motion_;
+  BodyDrive drive_;
   std::set<motion::RequestId> open_;           // accepted and not yet ended
   motion::RequestId last_accepted_ = 0;        // outlives restarts, as clients' counts do
   std::uint64_t set_back_ = 0;                 // how often

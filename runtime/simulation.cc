@@ -19,6 +19,7 @@ Simulation::Simulation(std::shared_ptr<const WorldModel> world,
     : world_(std::move(world), robots, options) {
   for (const sim::RobotSetup& robot : robots)
     robots_.push_back(std::make_unique<Robot>(robot.model));
+  told_.resize(robots_.size());
   truth_.publish(world_.scene());
 }
 
@@ -50,7 +51,10 @@ void Simulation::tickDueRobots() {
     for (const LedOrder& order : robots_[i]->ports()->leds.drain()) {
       world_.setLeds(i, order.leds, order.brightness);
     }
-    world_.setCommand(i, robots_[i]->tick(world_.readSensors(i)));
+    const SensorFrame frame = world_.readSensors(i);
+    const JointCommand command = robots_[i]->tick(frame);
+    world_.setCommand(i, command);
+    if (told_[i]) told_[i](frame, command);
     if (i == 0) truth_.publish(world_.scene());
   }
 }

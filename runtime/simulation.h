@@ -1,8 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "camera/render_queue.h"
@@ -61,6 +63,11 @@ class Simulation {
   /// From now on the pictures due for a robot's cameras are offered to `queue`.
   void showTo(std::shared_ptr<camera::RenderQueue> queue, std::size_t robot);
 
+  /// Before the first advanceTo(): told at every cycle of a robot, before the world moves on, what
+  /// it senses and what its motors follow now. Called on the simulation's thread; must not block.
+  using Told = std::function<void(const SensorFrame& frame, const JointCommand& command)>;
+  void tellCycles(std::size_t robot, Told told) { told_.at(robot) = std::move(told); }
+
   /// Where everything really is, once per cycle of the first robot. For UsarSim, never for NaoQi.
   const Latest<SceneFrame>& truth() const { return truth_; }
 
@@ -78,6 +85,7 @@ class Simulation {
   sim::World world_;
   std::vector<std::unique_ptr<Robot>> robots_;
   std::vector<Eyes> eyes_;
+  std::vector<Told> told_;  // by robot; empty: nobody asked
   Latest<SceneFrame> truth_;
   std::map<std::string, std::shared_ptr<const Snapshot>> snapshots_;
 };
