@@ -18,17 +18,28 @@ struct Arguments {
   daemon::Options options;
   std::vector<std::string> robots;
   std::vector<std::string> behaviors;
+  std::vector<std::string> lola;
+  std::string lola_battery = "status-first";
+  std::optional<double> lola_lockstep;
   std::string speed = "1";
   std::string mode = "implicit";
   bool scripts = false;
 };
 
-void printReady(daemon::Daemon& daemon, const std::string& listen) {
+void printReady(daemon::Daemon& daemon, const daemon::Options& options) {
+  const std::string& listen = options.listen.front();
   for (std::size_t i = 0; i < daemon.robotCount(); ++i) {
     std::printf("ready: %s (%s) at tcp://%s:%d\n", daemon.robotName(i).c_str(),
                 daemon.robotModel(i).name.c_str(), listen.c_str(), daemon.port(i));
     for (const std::string& address : daemon.endpoints(i).otherAddresses()) {
       std::printf("       and at %s\n", address.c_str());
+    }
+    for (const std::uint16_t port : daemon.lolaCameraPorts(i)) {
+      std::printf("       and a camera for LoLA at %s:%d\n", "tcp://127.0.0.1", port);
+    }
+    if (const daemon::LolaServer* lola = daemon.lola(i)) {
+      std::printf("       and LoLA at %s%s\n", lola->path().c_str(),
+                  options.lola_lockstep ? ", where the world waits for its client" : "");
     }
   }
   for (const auto& [name, value] : daemon.draw()) {
@@ -51,6 +62,11 @@ void serve(Arguments& arguments) {
   for (const std::string& robot : arguments.robots) {
     options.robots.push_back(daemon::parseRobot(robot));
   }
+  for (const std::string& lola : arguments.lola) {
+    options.lola.push_back(daemon::parseLola(lola));
+  }
+  options.lola_battery = daemon::parseLolaBattery(arguments.lola_battery);
+  options.lola_lockstep = arguments.lola_lockstep;
   options.speed = daemon::parseSpeed(arguments.speed);
   options.mode = parseMode(arguments.mode);
   options.world = findSourceFile(options.world);
@@ -64,7 +80,7 @@ void serve(Arguments& arguments) {
   daemon::Daemon daemon(options);
   printNotes(daemon);
   daemon.stopOnSignals();
-  daemon.run([&] { printReady(daemon, options.listen.front()); });
+  daemon.run([&] { printReady(daemon, options); });
   const daemon::LoopState end = daemon.state();
   std::printf("stopped at %.3f s of simulated time, seed %" PRIu64 ", state %016" PRIx64 "\n",
               toSeconds(end.time), options.seed, end.hash);
@@ -94,6 +110,47 @@ void addWires(CLI::App& command, daemon::Options& options) {
                      "through --http-port. Repeat it for more.");
 }
 
+void addLola(CLI::App& command, Arguments& arguments) {
+  CLI::Option* lola =
+      command
+          .add_option(
+              "--lola", arguments.lola,
+              "Offers LoLA, the protocol of a V6's body, on a socket of this PATH:\n"
+              "[ROBOT=]PATH, by default /tmp/robocup of the first robot without one, which is a\n"
+              "nao_h25_v60 if no robot is named. Repeat it for more.")
+          ->expected(0, 1)
+          ->default_str("")
+          ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command
+      .add_option("--lola-battery", arguments.lola_battery,
+                  "What clients find behind the battery's charge: status-first or current-first.")
+      ->capture_default_str()
+      ->needs(lola);
+  command
+      .add_option("--lola-camera-port", arguments.options.lola_camera_port,
+                  "Sends pictures to LoLA programs: the top camera's on this port (10001 if not\n"
+                  "said), the bottom camera's on the next, then the next robot's; 0 takes any\n"
+                  "free ones.")
+      ->expected(0, 1)
+      ->default_str("10001")
+      ->needs(lola);
+  command
+      .add_option("--lola-camera-memory", arguments.options.lola_camera_memory,
+                  "Writes pictures for LoLA programs to shared memory NAME.ROBOT.top and .bottom;\n"
+                  "NAME is usarnaoqi if not said.")
+      ->expected(0, 1)
+      ->default_str("usarnaoqi")
+      ->needs(lola);
+  command
+      .add_option(
+          "--lola-lockstep", arguments.lola_lockstep,
+          "The world waits for LoLA clients: for the first one of each robot, and then for\n"
+          "the answer to every frame, so many seconds at most (5 if not said).")
+      ->expected(0, 1)
+      ->default_str("5")
+      ->needs(lola);
+}
+
 }  // namespace
 
 void addServe(CLI::App& app) {
@@ -104,13 +161,14 @@ void addServe(CLI::App& app) {
       "--robot", arguments->robots,
       "A robot of the folder robots/ or a FILE.urdf, as MODEL or NAME=MODEL. Repeat\n"
       "it for more: number i listens on port + i. Default: those of the world, else\n"
-      "nao_h21_v33.");
+      "nao_h21_v33, or nao_h25_v60 with --lola.");
   command->add_option("--world", options.world, "The world, a YAML file.")->capture_default_str();
   command->add_option("--listen", options.listen, "The address to listen on. Repeat it for more.")
       ->capture_default_str();
   command->add_option("--port", options.port, "The first robot's port; 0 takes any free ones.")
       ->capture_default_str();
   addWires(*command, options);
+  addLola(*command, *arguments);
   command
       ->add_option("--speed", arguments->speed,
                    "Simulated seconds per second, or 'max' for as fast as it goes.")

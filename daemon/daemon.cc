@@ -1,5 +1,6 @@
 #include "daemon/daemon.h"
 
+#include <algorithm>
 #include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/post.hpp>
 #include <csignal>
@@ -15,7 +16,8 @@ std::vector<RobotOption> robotsOf(const Options& options, const WorldModel& worl
   std::vector<RobotOption> robots;
   for (const RobotPlace& place : world.robots)
     robots.push_back({place.name, place.model, place.start});
-  if (robots.empty()) robots.push_back({"nao", "nao_h21_v33", {}});
+  const char* one = options.lola.empty() ? "nao_h21_v33" : "nao_h25_v60";
+  if (robots.empty()) robots.push_back({"nao", one, {}});
   return robots;
 }
 
@@ -24,6 +26,19 @@ Pose2 placeOf(const RobotOption& robot, std::size_t i) {
   constexpr double kBeside = 0.8;  // [m] out of arm's reach
   if (robot.start.x != 0 || robot.start.y != 0 || robot.start.theta != 0) return robot.start;
   return {0, -kBeside * static_cast<double>(i), 0};
+}
+
+// LoLA has a cycle of its own, whatever the robot's is.
+void setLolaCycle(std::vector<sim::RobotSetup>& robots, const std::vector<LolaOption>& lola) {
+  std::vector<std::string> names;
+  for (const sim::RobotSetup& robot : robots) names.push_back(robot.name);
+  const auto paths = lolaPaths(lola, names);
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    if (paths[i].empty() || robots[i].model->cycle == LolaSender::kCycle) continue;
+    auto model = std::make_shared<RobotModel>(*robots[i].model);
+    model->cycle = LolaSender::kCycle;
+    robots[i].model = model;
+  }
 }
 
 runtime::Simulation makeSimulation(const Options& options) {
@@ -39,6 +54,7 @@ runtime::Simulation makeSimulation(const Options& options) {
     setups.push_back({robot.name, loadRobotModel(options.robots_dir, robot.model),
                       placeOf(robot, setups.size())});
   }
+  setLolaCycle(setups, options.lola);
   sim::WorldOptions how(fromSeconds(options.step));
   how.mode = options.mode;
   how.seed = options.seed;
@@ -59,25 +75,55 @@ Daemon::Daemon(const Options& options)
         loop_.wake();
         scheduleDelivery();
       }) {
+  makeHosts();
+  startLola();
+  loop_.holdWhile([this] { return cameras_.pendingJobs() > 0; });
+  if (!options.modules.empty()) inviteModules();
+}
+
+void Daemon::makeHosts() {
   std::shared_ptr<rpc::Credentials> credentials;
   std::string script_token;
-  if (!options.auth.empty()) {
-    credentials = std::make_shared<rpc::Credentials>(rpc::Credentials::load(options.auth));
+  if (!options_.auth.empty()) {
+    credentials = std::make_shared<rpc::Credentials>(rpc::Credentials::load(options_.auth));
     script_token = makeRandomName();
-    if (!options.scripts.empty()) credentials->add(ScriptProcess::kUser, script_token);
+    if (!options_.scripts.empty()) credentials->add(ScriptProcess::kUser, script_token);
     module_token_ = makeRandomName();
-    if (!options.modules.empty()) credentials->add(LocalModules::kUser, module_token_);
+    if (!options_.modules.empty()) credentials->add(LocalModules::kUser, module_token_);
   }
   const auto task_ids = std::make_shared<rpc::TaskIds>();
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < simulation_.robotCount(); ++i) names.push_back(robotName(i));
+  const auto sockets = lolaPaths(options_.lola, names);
+  std::size_t with_lola = 0;
   for (std::size_t i = 0; i < simulation_.robotCount(); ++i) {
-    const HostContext context{io_,         loop_,    simulation_, options_,
-                              credentials, task_ids, script_token};
+    const HostContext context{io_,      loop_,        simulation_, options_, credentials,
+                              task_ids, script_token, sockets[i],  with_lola};
+    if (!sockets[i].empty()) ++with_lola;
     hosts_.push_back(std::make_unique<RobotHost>(context, i));
     cameras_.add(hosts_.back()->pictures());
     simulation_.showTo(hosts_.back()->pictures(), i);
   }
-  loop_.holdWhile([this] { return cameras_.pendingJobs() > 0; });
-  if (!options.modules.empty()) inviteModules();
+}
+
+void Daemon::startLola() {
+  std::optional<LolaSender::Seconds> patience;
+  if (options_.lola_lockstep) patience = LolaSender::Seconds(*options_.lola_lockstep);
+  for (std::size_t i = 0; i < hosts_.size(); ++i) {
+    if (!lola(i)) continue;
+    lola_.push_back(std::make_unique<LolaSender>(
+        wire::LolaSensors(robotModel(i), wire::lolaIdentity(i), options_.lola_battery),
+        lola(i)->meeting(), patience));
+    simulation_.tellCycles(i, [&sender = *lola_.back()](const auto& frame, const auto& command) {
+      sender.send(frame, command);
+    });
+  }
+  if (lola_.empty()) return;
+  loop_.keepBeat(LolaSender::kCycle);
+  loop_.lockTo([this](SimTime now) {
+    return std::any_of(lola_.begin(), lola_.end(),
+                       [now](const auto& sender) { return sender->holdsTime(now); });
+  });
 }
 
 void Daemon::inviteModules() {

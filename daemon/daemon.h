@@ -11,6 +11,7 @@
 
 #include "daemon/camera_loop.h"
 #include "daemon/local_modules.h"
+#include "daemon/lola_sender.h"
 #include "daemon/options.h"
 #include "daemon/robot_host.h"
 #include "daemon/robot_loop.h"
@@ -39,6 +40,10 @@ class Daemon {
   std::string robotName(std::size_t i) const { return simulation_.robotName(i); }
   const RobotModel& robotModel(std::size_t i) { return simulation_.robot(i).model(); }
   const RobotEndpoints& endpoints(std::size_t i) const { return hosts_[i]->endpoints(); }
+  const LolaServer* lola(std::size_t i) const { return hosts_[i]->lola(); }
+  std::vector<std::uint16_t> lolaCameraPorts(std::size_t i) const {
+    return hosts_[i]->lolaCameraPorts();
+  }
   std::uint16_t port(std::size_t i) const { return endpoints(i).qiPort(); }
 
   /// The caller's thread of run(), for what else is to run on it.
@@ -58,6 +63,8 @@ class Daemon {
  private:
   void scheduleDelivery();
   void deliver();
+  void makeHosts();
+  void startLola();
   void inviteModules();
   void startModules();
 
@@ -71,6 +78,7 @@ class Daemon {
   std::unique_ptr<LocalModules> modules_;  // none without --module
   std::string module_token_;
   std::vector<std::unique_ptr<RobotHost>> hosts_;
+  std::vector<std::unique_ptr<LolaSender>> lola_;  // of the robots that have a socket
   std::atomic<bool> delivery_due_{false};
 };
 

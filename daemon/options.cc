@@ -1,5 +1,6 @@
 #include "daemon/options.h"
 
+#include <algorithm>
 #include <boost/asio/ip/address.hpp>
 #include <charconv>
 #include <limits>
@@ -17,6 +18,50 @@ RobotOption parseRobot(const std::string& text) {
     throw InputError("--robot: expected MODEL or NAME=MODEL, found '" + text + "'");
   }
   return robot;
+}
+
+LolaOption parseLola(const std::string& text) {
+  LolaOption lola;
+  if (text.empty()) return lola;
+  const std::size_t equals = text.find('=');
+  const bool named = equals != std::string::npos && text.find('/') > equals;
+  if (named) lola.robot = text.substr(0, equals);
+  lola.path = named ? text.substr(equals + 1) : text;
+  if (lola.path.empty() || (named && lola.robot.empty())) {
+    throw InputError("--lola: expected PATH or ROBOT=PATH, found '" + text + "'");
+  }
+  return lola;
+}
+
+std::vector<std::string> lolaPaths(const std::vector<LolaOption>& lola,
+                                   const std::vector<std::string>& robots) {
+  std::vector<std::string> paths(robots.size());
+  // Those that say whose they are, first.
+  for (const bool named : {true, false}) {
+    for (const LolaOption& option : lola) {
+      if (option.robot.empty() == named) continue;
+      const auto robot =
+          named ? std::find(robots.begin(), robots.end(), option.robot)
+                : robots.begin() + (std::find(paths.begin(), paths.end(), "") - paths.begin());
+      if (robot == robots.end()) {
+        throw InputError(named ? "--lola: there is no robot '" + option.robot + "'"
+                               : "--lola: " + option.path + " is one more than there are robots");
+      }
+      std::string& path = paths[static_cast<std::size_t>(robot - robots.begin())];
+      if (!path.empty()) throw InputError("--lola: robot '" + *robot + "' has two sockets");
+      if (std::find(paths.begin(), paths.end(), option.path) != paths.end()) {
+        throw InputError("--lola: two robots have the socket " + option.path);
+      }
+      path = option.path;
+    }
+  }
+  return paths;
+}
+
+wire::LolaBattery parseLolaBattery(const std::string& text) {
+  if (text == "status-first") return wire::LolaBattery::StatusFirst;
+  if (text == "current-first") return wire::LolaBattery::CurrentFirst;
+  throw InputError("--lola-battery: expected status-first or current-first, found '" + text + "'");
 }
 
 void checkSecurity(const Options& options) {

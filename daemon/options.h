@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/frames.h"
+#include "naoqi_api/wire/lola_sensors.h"
 #include "runtime/simulation.h"
 
 namespace nao::daemon {
@@ -17,9 +18,16 @@ struct RobotOption {
   Pose2 start;
 };
 
+/// A LoLA socket: `ROBOT=PATH`, or a path alone for the first robot that has none.
+struct LolaOption {
+  std::string robot;  // its name; empty: not said
+  std::string path = "/tmp/robocup";
+};
+
 /// What `usarnaoqi serve` is told.
 struct Options {
-  std::vector<RobotOption> robots;  // empty: those of the world file, else one nao_h21_v33
+  std::vector<RobotOption> robots;  // empty: those of the world file, else one nao_h21_v33, or
+                                    // with LoLA a nao_h25_v60
   std::string world = "worlds/empty.yaml";
   std::string robots_dir = "robots";
   /// Folders of motions and behaviors that every robot has installed, beside those in its own
@@ -40,17 +48,40 @@ struct Options {
   std::string tls_dir;               // folder of the certificate; empty: the user's default
   std::string pages;                 // folder of what is served by HTTP
   std::vector<std::string> origins;  // of web pages from elsewhere that may use the robots
-  double speed = 1;                  // simulated seconds per second; infinite: as fast as it goes
-  double step = 0.002;               // [s] of the physics
+  std::vector<LolaOption> lola;      // robots that offer LoLA, at 12 ms a cycle
+  wire::LolaBattery lola_battery = wire::LolaBattery::StatusFirst;
+  /// Top camera of the first robot with LoLA; the bottom one is next, then the next robot's.
+  std::optional<std::uint16_t> lola_camera_port;
+  std::string lola_camera_memory;       // first part of the rings' names; empty: there are none
+  std::optional<double> lola_lockstep;  // [s] of the wall that the world waits for an answer
+  double speed = 1;     // simulated seconds per second; infinite: as fast as it goes
+  double step = 0.002;  // [s] of the physics
   sim::Mode mode = sim::Mode::Implicit;
   std::uint64_t seed = 0;  // 0: no variation, every run is the same
   std::string data_dir;    // clients' files are below it; empty: they have none
   std::string naoqi;       // whose version services and wire are like; empty: the robot's own
-  bool strict = false;     // open connections as libqi 4 does, not as older NAOqi
+  /// Who may see the cameras of LoLA, which ask for no token: this machine, and with `insecure`
+  /// everybody.
+  std::vector<std::string> lolaCameraHosts() const {
+    return insecure ? listen : std::vector<std::string>{"127.0.0.1"};
+  }
+
+  bool strict = false;  // open connections as libqi 4 does, not as older NAOqi
 };
 
 /// Reads "name=model" or "model". @throws InputError if empty.
 RobotOption parseRobot(const std::string& text);
+
+/// Reads "ROBOT=PATH", "PATH" or nothing. @throws InputError if the path is empty.
+LolaOption parseLola(const std::string& text);
+
+/// The socket of each of these robots; empty: it has none. @throws InputError for a robot that
+/// there is not, or that has two, and for a path that two have.
+std::vector<std::string> lolaPaths(const std::vector<LolaOption>& lola,
+                                   const std::vector<std::string>& robots);
+
+/// Reads "status-first" or "current-first". @throws InputError otherwise.
+wire::LolaBattery parseLolaBattery(const std::string& text);
 
 /// Beyond this machine only those who may are let in. @throws InputError unless `auth` is given,
 /// or `insecure`, or nobody else can come.

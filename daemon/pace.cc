@@ -6,15 +6,14 @@
 namespace nao::daemon {
 namespace {
 
-constexpr std::chrono::milliseconds kPatience{100};  // late by more: time is lost, not caught up
-constexpr double kForever = 1e9;                     // [s] any later is beyond the clock's range
+constexpr double kForever = 1e9;  // [s] any later is beyond the clock's range
 
 }  // namespace
 
 Pace::Wall Pace::due(SimTime time, Wall wall) {
   if (std::isinf(speed_)) return wall;
   const Wall due = wall_ + fromSeconds(std::min(toSeconds(time - from_) / speed_, kForever));
-  if (wall - due > kPatience) restart(speed_, time, wall);
+  if (wall - due > patience_) restart(speed_, time, wall);
   return due;
 }
 

@@ -26,6 +26,30 @@ RobotHost::RobotHost(const HostContext& context, std::size_t robot)
   services_.addTo(hub_);
   hub_.add(usar_sim_.describe());
   endpoints_ = std::make_unique<RobotEndpoints>(context.io, context.options, robot, hub_);
+  if (!context.lola.empty()) offerLola(context, robot);
+}
+
+void RobotHost::offerLola(const HostContext& context, std::size_t robot) {
+  const Options& options = context.options;
+  const std::string& name = context.simulation.robotName(robot);
+  lola_ = std::make_unique<LolaServer>(
+      context.io, context.lola,
+      LolaServer::Robot{name, link_.sharedModel(), context.simulation.robot(robot).ports()},
+      [&loop = context.loop, locked = options.lola_lockstep.has_value()] {
+        if (locked) loop.wake();
+      });
+  LolaCameras::Setup cameras{link_.sharedModel(), images_, options.lolaCameraHosts(), {}, {}};
+  if (const auto first = options.lola_camera_port) {
+    // Both of a robot's ports are below the last one.
+    portOf(*first, 2 * context.lola_before + 1, "--lola-camera-port");
+    cameras.top_port = portOf(*first, 2 * context.lola_before, "--lola-camera-port");
+  }
+  if (!options.lola_camera_memory.empty()) {
+    cameras.memory = options.lola_camera_memory + "." + name;
+  }
+  if (cameras.top_port || !cameras.memory.empty()) {
+    lola_cameras_ = std::make_unique<LolaCameras>(context.io, cameras);
+  }
 }
 
 rpc::HubOptions RobotHost::hubOptions(const HostContext& context) {
@@ -94,6 +118,8 @@ void RobotHost::deliver(const std::vector<LoopOutcome>& outcomes) {
   link_.deliver();
   services_.deliver();
   usar_sim_.deliver(outcomes);
+  if (lola_) lola_->deliver();
+  if (lola_cameras_) lola_cameras_->deliver();
 }
 
 }  // namespace nao::daemon

@@ -9,6 +9,8 @@
 
 #include "camera/image_feed.h"
 #include "camera/render_queue.h"
+#include "daemon/lola_cameras.h"
+#include "daemon/lola_server.h"
 #include "daemon/options.h"
 #include "daemon/robot_endpoints.h"
 #include "daemon/robot_loop.h"
@@ -28,7 +30,9 @@ struct HostContext {
   const Options& options;
   std::shared_ptr<const rpc::Credentials> credentials;  // null: every client is let in
   std::shared_ptr<rpc::TaskIds> task_ids;
-  std::string script_token;  // that the code in boxes names; empty: none is asked for
+  std::string script_token;     // that the code in boxes names; empty: none is asked for
+  std::string lola;             // path of the robot's LoLA socket; empty: it has none
+  std::size_t lola_before = 0;  // how many robots before it have one
 };
 
 /// One robot as its clients see it: its services, their directory and the port it listens on.
@@ -41,16 +45,26 @@ class RobotHost {
   const RobotEndpoints& endpoints() const { return *endpoints_; }
   const std::shared_ptr<camera::RenderQueue>& pictures() const { return pictures_; }
 
+  /// The robot's LoLA socket, or null.
+  const LolaServer* lola() const { return lola_.get(); }
+  /// The ports of its cameras for LoLA programs, top first; empty: there are none.
+  std::vector<std::uint16_t> lolaCameraPorts() const {
+    return lola_cameras_ ? lola_cameras_->ports() : std::vector<std::uint16_t>();
+  }
+
   /// Hands on what the simulation and the camera have published since.
   void deliver(const std::vector<LoopOutcome>& outcomes);
 
   /// No more clients; calls and scripts under way end.
   void close() {
     endpoints_->close();
+    if (lola_) lola_->close();
+    if (lola_cameras_) lola_cameras_->close();
     scripts_.clear();
   }
 
  private:
+  void offerLola(const HostContext& context, std::size_t robot);
   rpc::HubOptions hubOptions(const HostContext& context);
   rpc::Personality personality(const HostContext& context) const;
   services::RobotServicesSetup servicesSetup(const HostContext& context, std::size_t robot);
@@ -63,6 +77,8 @@ class RobotHost {
   services::RobotServices services_;
   rpc::ServiceHub hub_;
   std::unique_ptr<RobotEndpoints> endpoints_;
+  std::unique_ptr<LolaServer> lola_;
+  std::unique_ptr<LolaCameras> lola_cameras_;
   std::set<std::shared_ptr<ScriptProcess>> scripts_;  // that run
 };
 

@@ -14,6 +14,7 @@ namespace nao::daemon {
 namespace {
 
 using std::chrono_literals::operator""ms;
+using std::chrono_literals::operator""ns;
 
 constexpr char kDiverged[] = "the physics diverged; reset the world first";
 constexpr auto kGuestsTurn = std::chrono::microseconds(200);  // between two looks at their requests
@@ -25,6 +26,7 @@ RobotLoop::RobotLoop(runtime::Simulation& simulation, double speed,
                      std::function<void()> after_cycle)
     : simulation_(simulation),
       after_cycle_(std::move(after_cycle)),
+      beats_{kCycle},
       pace_(speed, simulation.now(), std::chrono::steady_clock::now()) {
   publish();
 }
@@ -75,14 +77,17 @@ void RobotLoop::run() {
 
 bool RobotLoop::mayAdvance() {
   if (!simulation_.world().healthy() || (paused_ && steps_left_ == 0)) return false;
+  if (waits_ && waits_(simulation_.now())) return false;
   const bool exact = paused_ || std::isinf(pace_.speed());  // else a late picture is dropped
   return !(exact && hold_ && hold_());
 }
 
 void RobotLoop::advance() {
   if (paused_) {
-    const std::int64_t steps = std::min<std::int64_t>(steps_left_, kCycle / simulation_.stepSize());
-    advanceBy(steps * simulation_.stepSize());
+    const Duration step = simulation_.stepSize();
+    const Duration rest = nextBeat() - simulation_.now();
+    const std::int64_t steps = std::min<std::int64_t>(steps_left_, (rest + step - 1ns) / step);
+    advanceTo(simulation_.now() + steps * step);
     const bool healthy = simulation_.world().healthy();
     steps_left_ = healthy ? steps_left_ - steps : 0;
     if (steps_left_ == 0) finish(step_request_, healthy ? "" : kDiverged);
@@ -92,13 +97,27 @@ void RobotLoop::advance() {
   const auto due = pace_.due(simulation_.now(), wall);
   if (due > wall) waitUntil(due);
   if (due > std::chrono::steady_clock::now()) return;
-  advanceBy(kCycle);
+  advanceTo(nextBeat());
   if (told_) told_(std::chrono::steady_clock::now() - due);
 }
 
-void RobotLoop::advanceBy(Duration duration) {
+void RobotLoop::keepBeat(Duration cycle) {
+  beats_.push_back(cycle);
+  pace_.setPatience(cycle);
+}
+
+SimTime RobotLoop::nextBeat() const {
+  SimTime next = SimTime::max();
+  for (const Duration beat : beats_) {
+    const auto passed = simulation_.now().time_since_epoch() / beat;
+    next = std::min(next, SimTime(beat * (passed + 1)));
+  }
+  return next;
+}
+
+void RobotLoop::advanceTo(SimTime time) {
   const auto cycles = simulation_.now().time_since_epoch() / kCycle;
-  simulation_.advanceTo(simulation_.now() + duration);
+  simulation_.advanceTo(time);
   if (simulation_.now().time_since_epoch() / kCycle != cycles) hostGuests();
   if (simulation_.world().healthy()) return;
   spdlog::error("the physics diverged at {} s: time stands until UsarSim.reset",

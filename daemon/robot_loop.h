@@ -69,6 +69,12 @@ class RobotLoop {
   /// Before start(): while this is true a world at full speed, or one that is stepped, waits: no
   /// picture may be missing. Called on the simulation thread; must not block.
   void holdWhile(std::function<bool()> hold) { hold_ = std::move(hold); }
+  /// Before start(): meets the simulation also at every multiple of `cycle`, at its time and not
+  /// before, and catches up less than one of them when it is late.
+  void keepBeat(Duration cycle);
+  /// Before start(): while this is true the world waits, at any speed. Called on the simulation
+  /// thread; must not block.
+  void lockTo(std::function<bool(SimTime now)> waits) { waits_ = std::move(waits); }
   /// Those who act at the end of a cycle, while time stands still, and ask for what is then done
   /// before the next.
   struct Guests {
@@ -92,7 +98,8 @@ class RobotLoop {
   void endSteps(const char* reason = "the steps were cut short");
   bool mayAdvance();
   void advance();
-  void advanceBy(Duration duration);
+  SimTime nextBeat() const;
+  void advanceTo(SimTime time);
   void hostGuests();
   void publish();
   void waitUntil(Pace::Wall wall);
@@ -100,6 +107,8 @@ class RobotLoop {
   runtime::Simulation& simulation_;
   std::function<void()> after_cycle_;
   std::function<bool()> hold_;
+  std::function<bool(SimTime)> waits_;
+  std::vector<Duration> beats_;  // how often it looks at requests and clocks, simulated
   Guests guests_;
   std::function<void(std::chrono::nanoseconds)> told_;
   Mailbox<LoopRequest> requests_{256};

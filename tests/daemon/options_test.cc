@@ -39,5 +39,28 @@ TEST(Options, SpeedIsANumberOrMax) {
   }
 }
 
+TEST(LolaOption, NamesARobotOrTakesTheFirstThatHasNone) {
+  EXPECT_EQ(parseLola("").path, "/tmp/robocup");
+  EXPECT_EQ(parseLola("/run/a=b").path, "/run/a=b");
+  EXPECT_EQ(parseLola("red=/tmp/r").robot, "red");
+  EXPECT_THROW(parseLola("red="), InputError);
+  EXPECT_THROW(parseLola("=/tmp/r"), InputError);
+  const auto paths = lolaPaths({parseLola("/tmp/1"), parseLola("red=/tmp/r"), parseLola("/tmp/2")},
+                               {"red", "blue", "green", "grey"});
+  EXPECT_EQ(paths, (std::vector<std::string>{"/tmp/r", "/tmp/1", "/tmp/2", ""}));
+}
+
+TEST(LolaOption, RefusesWhatCanNotBe) {
+  const auto refused = [](const std::vector<LolaOption>& lola) {
+    EXPECT_THROW(lolaPaths(lola, {"red", "blue"}), InputError);
+  };
+  refused({{"green", "/tmp/g"}});
+  refused({{"red", "/tmp/1"}, {"red", "/tmp/2"}});
+  refused({{"red", "/tmp/1"}, {"blue", "/tmp/1"}});
+  refused({{"", "/tmp/1"}, {"", "/tmp/2"}, {"", "/tmp/3"}});
+  EXPECT_EQ(parseLolaBattery("current-first"), wire::LolaBattery::CurrentFirst);
+  EXPECT_THROW(parseLolaBattery("charge"), InputError);
+}
+
 }  // namespace
 }  // namespace nao::daemon

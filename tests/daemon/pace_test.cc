@@ -41,5 +41,14 @@ TEST(Pace, LosesTimeOnAHostThatIsTooSlow) {
   EXPECT_EQ(pace.due(SimTime(20ms), kStart + 5000ms), kStart + 5010ms);
 }
 
+TEST(Pace, CatchesUpNoMoreThanItsPatience) {
+  Pace pace(1, SimTime{}, kStart);
+  pace.setPatience(12ms);
+  EXPECT_EQ(pace.due(SimTime(12ms), kStart + 24ms), kStart + 12ms);
+  EXPECT_EQ(pace.due(SimTime(24ms), kStart + 24ms), kStart + 24ms);
+  pace.due(SimTime(36ms), kStart + 60ms);
+  EXPECT_EQ(pace.due(SimTime(48ms), kStart + 60ms), kStart + 72ms);
+}
+
 }  // namespace
 }  // namespace nao::daemon

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <memory>
@@ -114,6 +115,23 @@ TEST(RobotLoop, TheStateDoesNotDependOnThePace) {
     while (sliced->now() < end.time) sliced->advanceTo(std::min(sliced->now() + 7ms, end.time));
     EXPECT_EQ(sliced->hash(), end.hash) << "at speed " << speed;
   }
+}
+
+TEST_F(RobotLoopTest, ABeatIsMetAtItsTimeBesideTheOthers) {
+  std::vector<SimTime> asked;
+  loop_.keepBeat(12ms);
+  loop_.lockTo([&](SimTime now) {
+    asked.push_back(now);
+    return now == SimTime(36ms);
+  });
+  loop_.start();
+  while (loop_.state().get()->time < SimTime(36ms)) {
+  }
+  EXPECT_EQ(errorOf(post(PauseWorld{})), "");
+  loop_.stop();
+  asked.erase(std::unique(asked.begin(), asked.end()), asked.end());
+  EXPECT_EQ(asked, (std::vector<SimTime>{SimTime(0ms), SimTime(10ms), SimTime(12ms), SimTime(20ms),
+                                         SimTime(24ms), SimTime(30ms), SimTime(36ms)}));
 }
 
 }  // namespace
