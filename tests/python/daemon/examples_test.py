@@ -10,10 +10,11 @@ import tempfile
 import unittest
 from queue import Queue
 
-from programs import EXAMPLES, PATIENCE, daemon, environment, needsDaemon, run
+from programs import EXAMPLES, PATIENCE, ROOT, daemon, environment, needsDaemon, run
 from usarnaoqi_sdk import Session
 
-EXCEPT = {"react_to_events.py"}  # waits for touches: it has a test of its own
+# Need more than a robot at an address: they have tests of their own.
+EXCEPT = {"react_to_events.py", "lola_camera.py"}
 
 
 @needsDaemon
@@ -60,6 +61,19 @@ class ExamplesTest(unittest.TestCase):
                 header, pixels = file.readline(), file.read()
         self.assertEqual(header, b"P6 640 480 255\n")
         self.assertEqual(len(pixels), 640 * 480 * 3)
+        self.assertGreater(len(set(pixels)), 1)  # it sees something
+
+    def testLolaCamera(self):
+        with tempfile.TemporaryDirectory() as folder:
+            field = os.path.join(ROOT, "worlds", "field_2020.yaml")
+            lola = ["--lola", os.path.join(folder, "robocup"), "--world", field]
+            with daemon(more_wires=["--lola-camera-port"], options=lola) as (_, camera):
+                run([sys.executable, os.path.join(EXAMPLES, "lola_camera.py"), *camera.split(":")],
+                    folder)
+            with open(os.path.join(folder, "lola_camera.pgm"), "rb") as file:
+                header, pixels = file.readline(), file.read()
+        self.assertEqual(header, b"P5 640 480 255\n")
+        self.assertEqual(len(pixels), 640 * 480)
         self.assertGreater(len(set(pixels)), 1)  # it sees something
 
     def testPlayMotion(self):

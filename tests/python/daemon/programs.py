@@ -19,10 +19,10 @@ needsDaemon = unittest.skipUnless(os.path.exists(PROGRAM), "%s is not built" % P
 
 
 @contextlib.contextmanager
-def daemon(speed="max", more_wires=()):
+def daemon(speed="max", more_wires=(), options=()):
     """Yields host:port of a daemon of its own, whose time goes as fast as the machine allows. With
     options of other wires, such as --msgpack-port, a list: qi's address, then theirs."""
-    command = [PROGRAM, "serve", "--port", "0", "--speed", speed]
+    command = [PROGRAM, "serve", "--port", "0", "--speed", speed, *options]
     for wire in more_wires:
         command += [wire, "0"]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
