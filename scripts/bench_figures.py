@@ -24,7 +24,8 @@ def figures(folder):
     runs = medians(folder)
     return {**step_figures(runs), **robot_figures(runs), **snapshot_figures(runs),
             **memory_figures(pathlib.Path(folder) / "robots.txt"), **render_figures(runs),
-            **walk_figures(runs), **wire_figures(pathlib.Path(folder) / "wire.txt")}
+            **walk_figures(runs), **wire_figures(pathlib.Path(folder) / "wire.txt"),
+            **lola_figures(pathlib.Path(folder) / "lola.txt")}
 
 
 def step_figures(runs):
@@ -80,6 +81,11 @@ def memory_figures(experiment):
 
 def wire_figures(bench):
     """Calls and events of the qi wire, with the echo beside them: as bench/wire_bench prints them."""
+    return json.loads(bench.read_text())
+
+
+def lola_figures(bench):
+    """How late LoLA's frames are sent at 1x, and a bare sleep in turn: as bench/lola_bench prints."""
     return json.loads(bench.read_text())
 
 
