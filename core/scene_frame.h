@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,12 +21,15 @@ struct SceneFrame {
     std::shared_ptr<const RobotModel> model;
     std::vector<Pose> X_WB;  // by body of the model
     LedState leds{};         // by ledNames()
+    std::vector<Vec3> w_WB;  // [rad/s] how fast each body turns, in W
+    std::optional<Color> team;
   };
   struct Ball {
     double radius = 0;  // [m]
     Vec3 p_W = Vec3::Zero();
     Color color;
     Mat3 R_W = Mat3::Identity();
+    bool has_patches = false;
   };
 
   SimTime time{};

@@ -2,17 +2,13 @@
 
 #include <memory>
 
+#include "core/color.h"
 #include "core/frames.h"
 #include "core/hull.h"
+#include "core/obj_mesh.h"
+#include "core/texture.h"
 
 namespace nao {
-
-/// 8-bit red, green, blue.
-struct Color {
-  unsigned char red = 200;
-  unsigned char green = 200;
-  unsigned char blue = 200;
-};
 
 /// A solid primitive fixed to a body or to the world.
 struct Shape {
@@ -23,6 +19,9 @@ struct Shape {
                                  // (capsule: between the centres of its caps)
   Color color;
   std::shared_ptr<const nao::Hull> hull;  // of a Hull, in the shape's frame
+  // For the eye alone: triangles in place of a Hull's faces, and paint on a box or on triangles.
+  std::shared_ptr<const ObjMesh> mesh;
+  std::shared_ptr<const Texture> texture;
 };
 
 }  // namespace nao

@@ -11,23 +11,27 @@
 // a key with a value behind it may be left out.
 //
 //   name: <file's name>           gravity: 9.80665          sky_color: [170, 190, 210]
+//   light: 1                                                # on everything; 1: a usual hall
 //   materials:
 //     <name>: {friction: 0.7, torsional_friction: 0, restitution: 0, stiffness: 30e3, damping: 300,
 //              tangential_stiffness: 20e3, tangential_damping: 100}
 //   ground:
 //     size: [10, 10]              color: [60, 130, 60]      # painted part; the floor is endless
+//     grain: 0                    # part by which the carpet's brightness strays, for the eye
 //     slope: 0                    uphill: 0                 # how steep; which way up, from x
 //     material: <name>            # or the keys of a material themselves, or both: keys win
 //   lines:      [{from: [x, y], to: [x, y], width: 0.05, color: white}]
 //   rings:      [{center: [x, y], radius, width: 0.05, color: white}]
-//   boxes:      [{name, position, rpy: zero, size: [x, y, z], color: grey, material: <name>}]
+//   boxes:      [{name, position, rpy: zero, size: [x, y, z], color: grey, material: <name>,
+//                 texture: <file>}]              # Netpbm, on each face; beside the world's file
 //   spheres:    [{name, position, radius, color, material}]
 //   cylinders:  [{name, position, rpy, radius, height, color, material}]  # height along local z
 //   hulls:      [{name, file, scale: 1, position, rpy, color, material}]  # convex hull of an OBJ's
 //                                                  # corners, its axes; beside the world's file
+//                 faces: false, texture: <file>}]  # faces: seen as in the file, not as its hull
 //   balls:      [{name: ball, position, radius, mass, inertia_factor: 0.4, material,
-//                 rolling_deceleration: 0.5, color: orange}]
-//   robots:     [{name, model, start: [x, y, theta]}]
+//                 rolling_deceleration: 0.5, color: orange, patches: false}]  # twelve black ones
+//   robots:     [{name, model, start: [x, y, theta], team: color}]             # of its shirt
 
 namespace nao {
 namespace {
@@ -82,6 +86,7 @@ void readGround(Config& ground, const Materials& materials, WorldModel& world) {
     world.ground_size = Eigen::Vector2d(size[0], size[1]);
   }
   world.ground_color = ground.color("color", world.ground_color);
+  world.ground_grain = ground.number("grain", {0, 1}, 0);
   const double slope = ground.number("slope", {0, 1}, 0);
   const double uphill = ground.number("uphill", {}, 0);
   const double along = std::sin(slope);
@@ -136,13 +141,33 @@ void readShapes(Config& config, const std::string& key, Shape::Kind kind,
   });
 }
 
+// A file beside the world's.
+std::string fileBeside(Config& entry, const std::string& key, const std::string& expected) {
+  const auto file = std::filesystem::path(entry.file()).parent_path() / entry.text(key);
+  if (!std::filesystem::exists(file)) entry.reject(key, expected + " beside this one");
+  return file.string();
+}
+
+void readPaint(Config& entry, Shape& shape) {
+  if (!entry.has("texture")) return;
+  const std::string file = fileBeside(entry, "texture", "a Netpbm picture");
+  shape.texture = std::make_shared<const Texture>(readTexture(file));
+}
+
+// The triangles of the file, where its hull stands.
+void readFaces(const std::string& file, double scale, const Vec3& middle, Shape& shape) {
+  ObjMesh mesh = readObjMesh(file);
+  for (ObjMesh::Triangle& triangle : mesh.triangles) {
+    for (ObjMesh::Corner& corner : triangle) corner.p = scale * corner.p - middle;
+  }
+  shape.mesh = std::make_shared<const ObjMesh>(std::move(mesh));
+}
+
 // About the middle of the hull, so that a sphere about the shape's centre holds it closely.
 void readHull(Config& entry, Shape& shape) {
-  const std::string name = entry.text("file");
   const double scale = entry.number("scale", kPositive, 1);
-  const auto file = std::filesystem::path(entry.file()).parent_path() / name;
-  if (!std::filesystem::exists(file)) entry.reject("file", "an OBJ file beside this one");
-  std::vector<Vec3> corners = readObjCorners(file.string());
+  const std::string file = fileBeside(entry, "file", "an OBJ file");
+  std::vector<Vec3> corners = readObjCorners(file);
   Eigen::AlignedBox3d box;
   for (Vec3& corner : corners) box.extend(corner *= scale);
   const Vec3 middle = corners.empty() ? Vec3(Vec3::Zero()) : Vec3(box.center());
@@ -153,6 +178,9 @@ void readHull(Config& entry, Shape& shape) {
   shape.X_BS = shape.X_BS * translation(middle);
   shape.size = box.sizes();
   shape.hull = std::make_shared<const Hull>(std::move(hull));
+  const bool has_paint = entry.has("texture");
+  if (entry.flag("faces", has_paint) || has_paint) readFaces(file, scale, middle, shape);
+  readPaint(entry, shape);
 }
 
 void readObstacles(Config& config, const Materials& materials, WorldModel& world) {
@@ -162,6 +190,7 @@ void readObstacles(Config& config, const Materials& materials, WorldModel& world
   read("boxes", Shape::Kind::Box, [](Config& entry, Shape& shape) {
     const auto size = entry.numbers("size", 3, kPositive);
     shape.size = Vec3(size[0], size[1], size[2]);
+    readPaint(entry, shape);
   });
   read("spheres", Shape::Kind::Sphere, [](Config& entry, Shape& shape) {
     shape.size = Vec3(entry.number("radius", kPositive), 0, 0);
@@ -184,6 +213,7 @@ void readBalls(Config& config, const Materials& materials, WorldModel& world) {
     ball.material = materialOf(entry, materials);
     ball.p_W = entry.vector("position");
     ball.color = entry.color("color", ball.color);
+    ball.has_patches = entry.flag("patches", false);
     world.balls.push_back(ball);
   });
 }
@@ -195,6 +225,7 @@ void readRobots(Config& config, WorldModel& world) {
     place.model = entry.text("model");
     const auto start = entry.numbers("start", 3);
     place.start = {start[0], start[1], start[2]};
+    if (entry.has("team")) place.team = entry.color("team", {});
     world.robots.push_back(place);
   });
 }
@@ -207,6 +238,7 @@ std::shared_ptr<const WorldModel> loadWorldModel(const std::string& file) {
     world->name = config.text("name", std::filesystem::path(file).stem().string());
     world->gravity = config.number("gravity", {0, 100}, world->gravity);
     world->sky_color = config.color("sky_color", world->sky_color);
+    world->light = config.number("light", {0.001, 1000}, world->light);
     const Materials materials = readMaterials(config);
     config.map("ground", Presence::Optional,
                [&](Config& ground) { readGround(ground, materials, *world); });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,7 @@ struct Ball {
   Material material;
   Vec3 p_W = Vec3::Zero();  // [m] start
   Color color{255, 120, 0};
+  bool has_patches = false;  // twelve black ones, as on a soccer ball
 };
 
 /// Where a robot of the world starts. The command line's --robot options replace the list.
@@ -54,6 +56,7 @@ struct RobotPlace {
   std::string name;
   std::string model;
   Pose2 start;
+  std::optional<Color> team;  // of its shirt
 };
 
 /// Everything fixed about a world, read from worlds/*.yaml. Immutable once loaded.
@@ -63,6 +66,8 @@ struct WorldModel {
   Material ground;
   Color ground_color{60, 130, 60};
   Color sky_color{170, 190, 210};
+  double ground_grain = 0;  // how far the carpet's brightness strays, part of it; for the eye
+  double light = 1;         // on everything, by that of a usual hall; cameras adapt to it
   Eigen::Vector2d ground_size = Eigen::Vector2d(10, 10);  // [m] painted part; the plane is endless
   std::vector<GroundMark> marks;
   Vec3 ground_normal = Vec3::UnitZ();  // of the plane through the origin; tilted: a slope

@@ -15,7 +15,7 @@ std::vector<RobotOption> robotsOf(const Options& options, const WorldModel& worl
   if (!options.robots.empty()) return options.robots;
   std::vector<RobotOption> robots;
   for (const RobotPlace& place : world.robots)
-    robots.push_back({place.name, place.model, place.start});
+    robots.push_back({place.name, place.model, place.start, place.team});
   const char* one = options.lola.empty() ? "nao_h21_v33" : "nao_h25_v60";
   if (robots.empty()) robots.push_back({"nao", one, {}});
   return robots;
@@ -52,7 +52,7 @@ runtime::Simulation makeSimulation(const Options& options) {
       }
     }
     setups.push_back({robot.name, loadRobotModel(options.robots_dir, robot.model),
-                      placeOf(robot, setups.size())});
+                      placeOf(robot, setups.size()), robot.team});
   }
   setLolaCycle(setups, options.lola);
   sim::WorldOptions how(fromSeconds(options.step));

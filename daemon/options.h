@@ -16,6 +16,7 @@ struct RobotOption {
   std::string name;
   std::string model;
   Pose2 start;
+  std::optional<Color> team = std::nullopt;  // of its shirt
 };
 
 /// A LoLA socket: `ROBOT=PATH`, or a path alone for the first robot that has none.

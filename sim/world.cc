@@ -89,8 +89,9 @@ class World::Impl {
     scene.world = model_;
     for (const auto& robot : robots_) scene.robots.push_back(robot->scene());
     for (std::size_t b = 0; b < balls_.size(); ++b) {
+      const Ball& ball = model_->balls[b];
       scene.balls.push_back(
-          {model_->balls[b].radius, balls_[b].p_W, model_->balls[b].color, balls_[b].R_W});
+          {ball.radius, balls_[b].p_W, ball.color, balls_[b].R_W, ball.has_patches});
     }
     return scene;
   }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct RobotSetup {
   std::string name;
   std::shared_ptr<const RobotModel> model;
   Pose2 start;
+  std::optional<Color> team = std::nullopt;  // of its shirt
 };
 
 /// The step divides every robot's cycle.

@@ -116,11 +116,12 @@ SensorFrame WorldRobot::readSensors(const Surroundings& around, SimTime now) {
 }
 
 SceneFrame::Robot WorldRobot::scene() const {
-  SceneFrame::Robot robot{setup_.name, setup_.model, {}, leds_};
+  SceneFrame::Robot robot{setup_.name, setup_.model, {}, leds_, {}, setup_.team};
   for (const BodyMotion& body : body_.motion()) {
     Pose X_WB = translation(body.p_WB);
     X_WB.linear() = body.R_WB;
     robot.X_WB.push_back(X_WB);
+    robot.w_WB.push_back(body.w_WB);
   }
   return robot;
 }
