@@ -2,6 +2,9 @@
 
 #include <array>
 
+#include "camera/carpet_grain.h"
+#include "camera/ground_truth.h"
+
 namespace nao::camera {
 namespace {
 
@@ -57,7 +60,17 @@ void paintEdge(const Patch& patch, int row, PixelRange range, Pixel* colors) {
   }
 }
 
-void paintPatchRow(const Patch& patch, const LinearForm& fall, int row, Raster& raster) {
+/// Fills a row's pixels from one up to, not with, another.
+struct PlainFill {
+  Pixel paint;
+  void operator()(int, int first, int end, Pixel* colors) const {
+    std::fill(colors + first, colors + end, paint);
+  }
+};
+
+template <class Fill>
+void paintPatchRow(const Patch& patch, const LinearForm& fall, int row, Raster& raster,
+                   const Fill& fill) {
   const double v = row + 0.5;
   Interval touched{0, static_cast<double>(raster.size().width)};
   cut(touched, fall, v, 0);
@@ -72,7 +85,7 @@ void paintPatchRow(const Patch& patch, const LinearForm& fall, int row, Raster& 
   if (solid.first >= solid.end) solid = {all.end, all.end};
   Pixel* const colors = raster.colors(row);
   paintEdge(patch, row, {all.first, solid.first}, colors);
-  std::fill(colors + solid.first, colors + solid.end, patch.paint);
+  if (solid.first < solid.end) fill(row, solid.first, solid.end, colors);
   paintEdge(patch, row, {solid.end, all.end}, colors);
 }
 
@@ -90,7 +103,8 @@ Patch makePatch(const GroundForms& ground, const Eigen::Vector2d& centre,
 }
 
 void paintPatch(const Patch& patch, const LinearForm& fall, Raster& raster) {
-  for (int row = 0; row < raster.size().height; ++row) paintPatchRow(patch, fall, row, raster);
+  for (int row = 0; row < raster.size().height; ++row)
+    paintPatchRow(patch, fall, row, raster, PlainFill{patch.paint});
 }
 
 void paintLine(const GroundMark& mark, const GroundForms& ground, Raster& raster) {
@@ -174,7 +188,7 @@ void paintSkyAndFloor(const WorldModel& world, const GroundForms& ground, Raster
   for (int row = 0; row < raster.size().height; ++row) {
     Pixel* const colors = raster.colors(row);
     std::fill(colors, colors + raster.size().width, toPixel(world.sky_color));
-    paintPatchRow(floor, everywhere, row, raster);
+    paintPatchRow(floor, everywhere, row, raster, PlainFill{floor.paint});
   }
 }
 
@@ -190,12 +204,60 @@ GroundForms::GroundForms(const View& view) {
   y = p_W.y() * fall + height * alongRay(ray, R_CW.col(1));
 }
 
-void paintGround(const WorldModel& world, const GroundForms& ground, Raster& raster) {
-  paintSkyAndFloor(world, ground, raster);
+namespace {
+
+void paintCarpet(const WorldModel& world, const GroundForms& ground, const CarpetGrain& grain,
+                 Raster& raster) {
   Patch carpet = makePatch(ground, Eigen::Vector2d::Zero(), Eigen::Vector2d::UnitX(),
                            world.ground_size.x() / 2, world.ground_size.y() / 2);
   carpet.paint = toPixel(world.ground_color);
-  paintPatch(carpet, ground.fall, raster);
+  if (world.ground_grain == 0) return paintPatch(carpet, ground.fall, raster);
+  const auto palette = CarpetGrain::paletteOf(world.ground_color, world.ground_grain);
+  const auto fill = [&](int row, int first, int end, Pixel* colors) {
+    grain.fill(ground, palette, row, first, end, colors);
+  };
+  for (int row = 0; row < raster.size().height; ++row)
+    paintPatchRow(carpet, ground.fall, row, raster, fill);
+}
+
+bool isOn(const GroundMark& mark, const Eigen::Vector2d& p) {
+  const double half = mark.width / 2;
+  if (mark.kind == GroundMark::Kind::Ring) {
+    const double out = (p - mark.from).norm();
+    return out <= mark.radius + half && out >= mark.radius - half;
+  }
+  const Eigen::Vector2d span = mark.to - mark.from;
+  const double length = span.norm();
+  const Eigen::Vector2d along = length > 0 ? Eigen::Vector2d(span / length) : Eigen::Vector2d(1, 0);
+  const Eigen::Vector2d q = p - mark.from;
+  const double far = along.dot(q);
+  return far >= 0 && far <= length && std::abs(along.x() * q.y() - along.y() * q.x()) <= half;
+}
+
+Pixel labelAt(const WorldModel& world, const GroundForms& ground, double u, double v) {
+  const double fall = ground.fall.at(u, v);
+  if (fall <= 0) return kSkyLabel;
+  const Eigen::Vector2d p(ground.x.at(u, v) / fall, ground.y.at(u, v) / fall);
+  const auto& marks = world.marks;
+  const bool is_marked = std::any_of(marks.begin(), marks.end(),
+                                     [&](const GroundMark& mark) { return isOn(mark, p); });
+  return is_marked ? kMarkLabel : kGroundLabel;
+}
+
+}  // namespace
+
+void paintGroundLabels(const WorldModel& world, const GroundForms& ground, Raster& raster) {
+  for (int row = 0; row < raster.size().height; ++row) {
+    Pixel* const labels = raster.colors(row);
+    for (int column = 0; column < raster.size().width; ++column)
+      labels[column] = labelAt(world, ground, column + 0.5, row + 0.5);
+  }
+}
+
+void paintGround(const WorldModel& world, const GroundForms& ground, const CarpetGrain& grain,
+                 Raster& raster) {
+  paintSkyAndFloor(world, ground, raster);
+  paintCarpet(world, ground, grain, raster);
   for (const GroundMark& mark : world.marks) {
     switch (mark.kind) {
       case GroundMark::Kind::Line:

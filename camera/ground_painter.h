@@ -20,8 +20,14 @@ struct GroundForms {
   LinearForm inverseDepth() const { return (1 / height) * fall; }
 };
 
+class CarpetGrain;
+
 /// Paints sky, floor, carpet and the marks on it, each edge by the part of the pixel it covers:
 /// far lines fade instead of flickering. Covers every pixel; leaves the depths alone.
-void paintGround(const WorldModel& world, const GroundForms& ground, Raster& raster);
+void paintGround(const WorldModel& world, const GroundForms& ground, const CarpetGrain& grain,
+                 Raster& raster);
+
+/// The same as labels (camera/ground_truth.h): sky, ground or mark.
+void paintGroundLabels(const WorldModel& world, const GroundForms& ground, Raster& raster);
 
 }  // namespace nao::camera

@@ -7,9 +7,9 @@
 namespace nao::camera {
 
 /// One broad lamp high above the field, and light from everywhere: a surface that faces up shows
-/// its own colour, one that faces down about half of it. Free choices: a lit hall, and an orange
-/// ball stays bright enough on its shadow side to be found by colour.
-inline constexpr double kAmbient = 0.55;
+/// its own colour, one that faces down four fifths of it. Free choices: a hall lit from many sides,
+/// in which an orange ball stays bright enough on its shadow side to be found by colour.
+inline constexpr double kAmbient = 0.78;
 
 /// Towards the lamp, in W, not normalised.
 inline Vec3 towardsLamp() { return Vec3(0.25, 0.15, 1.0); }

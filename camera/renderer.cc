@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "camera/ground_painter.h"
+#include "camera/ground_truth.h"
 #include "camera/light.h"
 #include "camera/sphere_painter.h"
 #include "core/check.h"
@@ -36,10 +37,15 @@ Roundness roundnessFor(const Shape& shape, double depth, const Pinhole& lens) {
 }
 
 /// An order that depends on the things alone, not on the list they came in.
-auto sortKey(const Pose& X_CS, const Shape& shape) {
+auto sortKey(const Pose& X_CS, const Shape& shape, Pixel color) {
   const Vec3 p = X_CS.translation();
   return std::make_tuple(p.squaredNorm(), p.x(), p.y(), p.z(), shape.kind, shape.size.x(),
-                         shape.size.y(), shape.size.z(), toPixel(shape.color));
+                         shape.size.y(), shape.size.z(), color);
+}
+
+auto sortKey(const Shadow& shadow) {
+  return std::make_tuple(shadow.centre.x(), shadow.centre.y(), shadow.half_length,
+                         shadow.half_width, shadow.darkness, shadow.direction.x());
 }
 
 }  // namespace
@@ -55,26 +61,43 @@ View viewOf(const SceneFrame& scene, CameraPlace place, ImageSize size) {
   return view;
 }
 
-const Raster& Renderer::render(const SceneFrame& scene, CameraPlace place, ImageSize size) {
-  return renderFor(scene, viewOf(scene, place, size), place);
+Raster& Renderer::render(const SceneFrame& scene, CameraPlace place, ImageSize size) {
+  return render(scene, place, viewOf(scene, place, size));
 }
 
-const Raster& Renderer::render(const SceneFrame& scene, const View& view) {
+Raster& Renderer::render(const SceneFrame& scene, CameraPlace place, const View& view) {
+  labels_ = false;
+  return renderFor(scene, view, place);
+}
+
+Raster& Renderer::render(const SceneFrame& scene, const View& view) {
+  labels_ = false;
   return renderFor(scene, view, std::nullopt);
 }
 
-const Raster& Renderer::renderFor(const SceneFrame& scene, const View& view,
-                                  std::optional<CameraPlace> own) {
+Raster& Renderer::renderLabels(const SceneFrame& scene, std::optional<CameraPlace> own,
+                               const View& view) {
+  labels_ = true;
+  return renderFor(scene, view, own);
+}
+
+Raster& Renderer::renderFor(const SceneFrame& scene, const View& view,
+                            std::optional<CameraPlace> own) {
   NAO_CHECK(scene.world != nullptr);
   raster_.reset(view.lens.size);
   if (!isPlausible(view.X_WC)) {
-    raster_.fill(toPixel(scene.world->sky_color));
+    raster_.fill(labels_ ? kSkyLabel : toPixel(scene.world->sky_color));
     return raster_;
   }
   const GroundForms ground(view);
-  paintGround(*scene.world, ground, raster_);
   collectItems(scene, view, own);
   sortItems();
+  if (labels_) {
+    paintGroundLabels(*scene.world, ground, raster_);
+  } else {
+    paintGround(*scene.world, ground, grain_, raster_);
+    for (const Shadow& shadow : shadows_) paintShadow(shadow, ground, raster_);
+  }
   paintItems(view, ground);
   return raster_;
 }
@@ -82,96 +105,159 @@ const Raster& Renderer::renderFor(const SceneFrame& scene, const View& view,
 void Renderer::collectItems(const SceneFrame& scene, const View& view,
                             std::optional<CameraPlace> own) {
   items_.clear();
-  const Pose X_CW = view.X_WC.inverse();
-  for (const Obstacle& obstacle : scene.world->obstacles)
-    collect(obstacle.shape, X_CW * obstacle.shape.X_BS, view);
-  for (const SceneFrame::Ball& ball : scene.balls) {
-    Shape sphere;
-    sphere.size.x() = ball.radius;
-    sphere.color = ball.color;
-    collect(sphere, X_CW * translation(ball.p_W), view);
+  shadows_.clear();
+  made_.clear();
+  const Labels labels(scene);
+  for (std::size_t i = 0; i < scene.world->obstacles.size(); ++i) {
+    const Shape& shape = scene.world->obstacles[i].shape;
+    Item item;
+    item.shape = &shape;
+    item.color = labels_ ? labels.ofObstacle(i) : toPixel(shape.color);
+    collect(item, shape.X_BS, view);
   }
+  for (std::size_t i = 0; i < scene.balls.size(); ++i)
+    collectBall(scene.balls[i], labels.ofBall(i), view);
   for (std::size_t i = 0; i < scene.robots.size(); ++i) {
     const bool is_own = own && own->robot == i;
     const SceneFrame::Robot& robot = scene.robots[i];
-    collectRobot(robot, view, is_own ? &robot.model->cameras[own->camera] : nullptr);
+    collectRobot(robot, labels.ofRobot(i), view,
+                 is_own ? &robot.model->cameras[own->camera] : nullptr);
   }
 }
 
-void Renderer::collectRobot(const SceneFrame::Robot& robot, const View& view,
+void Renderer::collectBall(const SceneFrame::Ball& ball, Pixel label, const View& view) {
+  Shape& sphere = made_.emplace_back();
+  sphere.size.x() = ball.radius;
+  Item item;
+  item.shape = &sphere;
+  item.color = labels_ ? label : toPixel(ball.color);
+  item.has_patches = ball.has_patches && !labels_;
+  Pose X_WS = translation(ball.p_W);
+  X_WS.linear() = ball.R_W;
+  collect(item, X_WS, view);
+}
+
+void Renderer::collectRobot(const SceneFrame::Robot& robot, Pixel label, const View& view,
                             const CameraModel* own_camera) {
   const Pose X_CW = view.X_WC.inverse();
+  const int own_head = own_camera != nullptr ? own_camera->body : -1;
   for (std::size_t body = 0; body < robot.model->bodies.size(); ++body) {
-    if (own_camera != nullptr && own_camera->body == static_cast<int>(body)) continue;
-    const Pose X_CB = X_CW * robot.X_WB[body];
+    if (own_head == static_cast<int>(body)) continue;
+    const Pose& X_WB = robot.X_WB[body];
+    const bool wears_shirt = body == 0 && robot.team;
     for (const Shape& shape : robot.model->bodies[body].visuals) {
-      const Pose X_CS = X_CB * shape.X_BS;
-      const Vec3 p_SC_S = X_CS.inverse().translation();
-      if (own_camera != nullptr && distanceTo(shape, p_SC_S) < kOwnClearance) continue;
-      collect(shape, X_CS, view);
+      const Pose X_WS = X_WB * shape.X_BS;
+      if (own_camera != nullptr) {
+        const Vec3 p_SC_S = (X_CW * X_WS).inverse().translation();
+        if (distanceTo(shape, p_SC_S) < kOwnClearance) continue;
+      }
+      Item item;
+      item.shape = &shape;
+      item.color = labels_ ? label : toPixel(wears_shirt ? *robot.team : shape.color);
+      collect(item, X_WS, view);
     }
+  }
+  collectLights(robot, label, view, own_head);
+}
+
+void Renderer::collectLights(const SceneFrame::Robot& robot, Pixel label, const View& view,
+                             int own_head) {
+  for (const LedLight& light : lights_.lit(robot.model, robot.leds)) {
+    if (light.body == own_head) continue;
+    Shape& sphere = made_.emplace_back();
+    sphere.size.x() = light.radius;
+    Item item;
+    item.shape = &sphere;
+    item.color = labels_ ? label : toPixel(light.color);
+    item.glows = true;
+    collect(item, robot.X_WB[static_cast<std::size_t>(light.body)] * translation(light.p_B), view);
   }
 }
 
-void Renderer::collect(const Shape& shape, const Pose& X_CS, const View& view) {
-  if (mayShow(X_CS.translation(), boundingRadius(shape), view.lens))
-    items_.push_back({X_CS, shape});
+void Renderer::collect(Item item, const Pose& X_WS, const View& view) {
+  item.X_CS = view.X_WC.inverse() * X_WS;
+  const double radius = boundingRadius(*item.shape);
+  if (!labels_ && !item.glows && isPlausible(X_WS)) {
+    const Shadow shadow = shadowOf(*item.shape, X_WS);
+    if (shadow.darkness > 0) shadows_.push_back(shadow);
+  }
+  item.is_above_ground = X_WS.translation().z() > radius;
+  if (mayShow(item.X_CS.translation(), radius, view.lens)) items_.push_back(item);
 }
 
 void Renderer::sortItems() {
   std::sort(items_.begin(), items_.end(), [](const Item& a, const Item& b) {
-    return sortKey(a.X_CS, a.shape) < sortKey(b.X_CS, b.shape);
+    return sortKey(a.X_CS, *a.shape, a.color) < sortKey(b.X_CS, *b.shape, b.color);
   });
+  std::sort(shadows_.begin(), shadows_.end(),
+            [](const Shadow& a, const Shadow& b) { return sortKey(a) < sortKey(b); });
 }
 
 void Renderer::paintItems(const View& view, const GroundForms& ground) {
   const Vec3 lamp_C = view.X_WC.linear().transpose() * towardsLamp().normalized();
   TrianglePainter triangles(view.lens, ground.inverseDepth(), raster_);
+  edges_.clear();
   // Near solids first: what they hide is not even coloured. Then spheres, far ones first.
   for (const Item& item : items_) {
-    if (item.shape.kind == Shape::Kind::Sphere) continue;
-    if (item.shape.kind == Shape::Kind::Hull) {
-      paintHull(item, lamp_C, triangles);
-    } else {
-      paintMesh(item, lamp_C, triangles, view.lens);
-    }
+    if (item.shape->kind != Shape::Kind::Sphere) paintMesh(item, lamp_C, triangles, view.lens);
   }
   for (auto item = items_.rbegin(); item != items_.rend(); ++item) {
-    if (item->shape.kind != Shape::Kind::Sphere) continue;
-    paintSphere({item->X_CS.translation(), item->shape.size.x(), toPixel(item->shape.color)},
-                view.lens, lamp_C, ground.inverseDepth(), raster_);
+    if (item->shape->kind != Shape::Kind::Sphere) continue;
+    SphereInView sphere;
+    sphere.p_C = item->X_CS.translation();
+    sphere.radius = item->shape->size.x();
+    sphere.color = item->color;
+    sphere.is_flat = labels_ || item->glows;
+    sphere.has_hard_rim = labels_;
+    if (item->has_patches) sphere.patches_R_CS = item->X_CS.linear();
+    paintSphere(sphere, view.lens, lamp_C, ground.inverseDepth(), raster_);
   }
+  for (const SoftEdge& edge : edges_) soften(edge, ground.inverseDepth(), raster_);
 }
 
 void Renderer::paintMesh(const Item& item, const Vec3& lamp_C, TrianglePainter& painter,
                          const Pinhole& lens) {
-  const double depth = item.X_CS.translation().x() - boundingRadius(item.shape);
-  const Mesh& mesh = meshes_.find(item.shape.kind, roundnessFor(item.shape, depth, lens));
-  const Stretch stretch = stretchOf(item.shape);
+  const double depth = item.X_CS.translation().x() - boundingRadius(*item.shape);
+  const Mesh& mesh = meshes_.find(*item.shape, roundnessFor(*item.shape, depth, lens));
+  placeCorners(item, mesh, lamp_C);
+  painter.use({item.color, labels_ ? nullptr : item.shape->texture.get(), item.is_above_ground});
+  const bool is_cut = std::any_of(corners_.begin(), corners_.end(), [](const LitCorner& corner) {
+    return corner.p_C.x() < kNearPlane;
+  });
+  if (!is_cut) return paintSeen(mesh, painter);
+  for (const auto& [a, b, c] : mesh.triangles)
+    painter.paintClipped({corners_[a], corners_[b], corners_[c]});
+}
+
+void Renderer::placeCorners(const Item& item, const Mesh& mesh, const Vec3& lamp_C) {
+  const Stretch stretch = stretchOf(*item.shape);
   const Vec3 lamp_S = item.X_CS.linear().transpose() * lamp_C;
   corners_.clear();
   for (const Mesh::Vertex& vertex : mesh.vertices) {
     const Vec3 p_S =
         stretch.scale.cwiseProduct(vertex.corner) + Vec3(0, 0, vertex.end * stretch.half_length);
-    corners_.push_back({item.X_CS * p_S, lightStrength(vertex.normal.dot(lamp_S))});
-  }
-  const Pixel color = toPixel(item.shape.color);
-  for (const auto& [a, b, c] : mesh.triangles) {
-    painter.paint({corners_[a], corners_[b], corners_[c]}, color);
+    const double light = labels_ ? 256 : lightStrength(vertex.normal.dot(lamp_S));
+    corners_.push_back({item.X_CS * p_S, light, vertex.texture});
   }
 }
 
-void Renderer::paintHull(const Item& item, const Vec3& lamp_C, TrianglePainter& painter) {
-  const Hull& hull = *item.shape.hull;
-  const Vec3 lamp_S = item.X_CS.linear().transpose() * lamp_C;
-  const Pixel color = toPixel(item.shape.color);
-  for (const Hull::Face& face : hull.faces) {
-    const double light = lightStrength(face.normal.dot(lamp_S));
-    const auto corner = [&](std::size_t i) {
-      const Vec3& p_S = hull.corners[static_cast<std::size_t>(face.corners[i])];
-      return LitCorner{item.X_CS * p_S, light};
-    };
-    painter.paint({corner(0), corner(1), corner(2)}, color);
+void Renderer::paintSeen(const Mesh& mesh, TrianglePainter& painter) {
+  on_screen_.clear();
+  seen_.clear();
+  for (const LitCorner& corner : corners_) on_screen_.push_back(painter.project(corner));
+  for (const auto& [a, b, c] : mesh.triangles)
+    seen_.push_back(painter.paint(on_screen_[a], on_screen_[b], on_screen_[c]));
+  if (!labels_) keepSoftEdges(mesh);
+}
+
+void Renderer::keepSoftEdges(const Mesh& mesh) {
+  for (const Mesh::Edge& edge : mesh.edges) {
+    const bool one = seen_[edge.triangles[0]];
+    const bool other = edge.triangles[1] >= 0 && seen_[edge.triangles[1]];
+    if (!(one != other || (one && edge.is_crease))) continue;
+    const ScreenCorner& from = on_screen_[edge.from];
+    const ScreenCorner& to = on_screen_[edge.to];
+    edges_.push_back({{from.u, to.u}, {from.v, to.v}, {from.inverse_depth, to.inverse_depth}});
   }
 }
 

@@ -5,6 +5,24 @@
 namespace nao::camera {
 namespace {
 
+constexpr Pixel kPatch = toPixel({25, 25, 25});
+
+// The middles of a soccer ball's twelve patches are an icosahedron's corners, (0, 1, phi) turned
+// through its axes, of unit length. A patch is drawn round; twelve of them cover a quarter of the
+// ball, as the pentagons of the classic one do (28 %).
+constexpr double kShort = 0.5257311121191336;
+constexpr double kLong = 0.8506508083520399;
+constexpr double kPatchCosine = 0.9528;  // 1 - 0.283 / 6, of a patch's half angle
+constexpr double kPatchSine = 0.3036;
+
+/// The part of a pixel of this size [rad] that is patch.
+double patchCover(const Vec3& normal_S, double pixel) {
+  const Vec3 n = normal_S.cwiseAbs();
+  const double cosine = std::max({kShort * n.y() + kLong * n.z(), kShort * n.z() + kLong * n.x(),
+                                  kShort * n.x() + kLong * n.y()});
+  return coverage((cosine - kPatchCosine) / (kPatchSine * pixel));
+}
+
 // The ray d through a pixel hits the sphere c, r where |t d - c| = r:
 //   t = (d.c - sqrt((d.c)^2 - |d|^2 k)) / |d|^2  with  k = |c|^2 - r^2
 // and the outline is where the root vanishes.
@@ -17,12 +35,28 @@ struct Painter {
   Conic outline;
   double k = 0;
   double largest_weight = 0;
+  double focal_length = 0;  // [px]
+
+  int weightAt(double u, double v) const {
+    if (sphere.has_hard_rim) return outline.at(u, v) < 0 ? 256 : 0;
+    return static_cast<int>(largest_weight * coverage(outline.insideDistance(u, v)) + 0.5);
+  }
+
+  Pixel paintAt(const Vec3& normal, double depth) const {
+    if (sphere.is_flat) return sphere.color;
+    Pixel color = sphere.color;
+    if (sphere.patches_R_CS) {
+      const double pixel = depth / (focal_length * sphere.radius);  // its size on the unit sphere
+      const Vec3 normal_S = sphere.patches_R_CS->transpose() * normal;
+      color = blend(color, kPatch, static_cast<int>(256 * patchCover(normal_S, pixel) + 0.5));
+    }
+    return lit(color, static_cast<int>(lightStrength(std::min(1.0, normal.dot(lamp_C)))));
+  }
 
   void paintPixel(int column, int row, Raster& raster) const {
     const double u = column + 0.5;
     const double v = row + 0.5;
-    const int weight =
-        static_cast<int>(largest_weight * coverage(outline.insideDistance(u, v)) + 0.5);
+    const int weight = weightAt(u, v);
     const double dc = towards.at(u, v);
     if (weight == 0 || dc <= 0) return;
     const Vec3 d(1, ray.left.at(u, v), ray.up.at(u, v));
@@ -33,10 +67,8 @@ struct Painter {
     const float nearness = static_cast<float>(1 / depth);
     if (nearness <= behind || 1 / depth <= ground.at(u, v)) return;
     const Vec3 normal = (depth * d - sphere.p_C) / sphere.radius;
-    const Pixel paint =
-        lit(sphere.color, static_cast<int>(lightStrength(std::min(1.0, normal.dot(lamp_C)))));
     Pixel& color = raster.colors(row)[column];
-    color = blend(color, paint, weight);
+    color = blend(color, paintAt(normal, depth), weight);
     if (weight >= 128) behind = nearness;
   }
 };
@@ -46,6 +78,7 @@ struct Painter {
 void paintSphere(const SphereInView& sphere, const Pinhole& lens, const Vec3& lamp_C,
                  const LinearForm& ground_inverse_depth, Raster& raster) {
   Painter painter{sphere, lamp_C, ground_inverse_depth, rayForms(lens), {}, {}};
+  painter.focal_length = lens.fx;
   painter.k = sphere.p_C.squaredNorm() - sphere.radius * sphere.radius;
   if (painter.k <= 0 || sphere.p_C.x() + sphere.radius < kNearPlane) return;
   painter.towards = alongRay(painter.ray, sphere.p_C);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "camera/raster.h"
 #include "camera/view.h"
 
@@ -10,6 +12,9 @@ struct SphereInView {
   Vec3 p_C = Vec3::Zero();  // [m] its centre
   double radius = 0;        // [m]
   Pixel color = 0;
+  bool is_flat = false;              // no light falls on it
+  bool has_hard_rim = false;         // each pixel is painted as a whole or not at all
+  std::optional<Mat3> patches_R_CS;  // a soccer ball turned so: twelve black patches
 };
 
 /// Paints a sphere by its exact outline, shaded pixel by pixel, its rim by the part of the pixel

@@ -2,12 +2,15 @@
 
 #include <cmath>
 
+#include "camera/texture_sampler.h"
+
 namespace nao::camera {
 namespace {
 
 LitCorner onNearPlane(const LitCorner& a, const LitCorner& b) {
   const double part = (kNearPlane - a.p_C.x()) / (b.p_C.x() - a.p_C.x());
-  LitCorner cut{a.p_C + part * (b.p_C - a.p_C), a.light + part * (b.light - a.light)};
+  LitCorner cut{a.p_C + part * (b.p_C - a.p_C), a.light + part * (b.light - a.light),
+                a.texture + part * (b.texture - a.texture)};
   cut.p_C.x() = kNearPlane;
   return cut;
 }
@@ -41,97 +44,130 @@ int firstPixel(double edge, int limit) {
   return whole < shifted ? whole + 1 : whole;
 }
 
-/// Where the edge between two corners, given from top to bottom, crosses row centre v.
-double crossing(double top_u, double top_v, double bottom_u, double bottom_v, double v) {
-  return top_u + (v - top_v) * ((bottom_u - top_u) / (bottom_v - top_v));
+/// A side of a triangle, from top to bottom.
+struct Side {
+  double u, v, slope;
+
+  Side(const ScreenCorner& top, const ScreenCorner& bottom)
+      : u(top.u), v(top.v), slope((bottom.u - top.u) / (bottom.v - top.v)) {}
+  double at(double row) const { return u + (row - v) * slope; }
+};
+
+// From top to bottom; equal heights by u, so that triangles that share an edge cut it alike.
+bool isHigher(const ScreenCorner* a, const ScreenCorner* b) {
+  return a->v < b->v || (a->v == b->v && a->u < b->u);
 }
 
 }  // namespace
 
-TrianglePainter::ScreenCorner TrianglePainter::project(const LitCorner& corner) const {
+ScreenCorner TrianglePainter::project(const LitCorner& corner) const {
   const double inverse = 1 / corner.p_C.x();
   return {lens_.cx - lens_.fx * corner.p_C.y() * inverse,
-          lens_.cy - lens_.fy * corner.p_C.z() * inverse, inverse, corner.light * inverse};
+          lens_.cy - lens_.fy * corner.p_C.z() * inverse, inverse, corner.light,
+          inverse * corner.texture};
 }
 
-void TrianglePainter::paint(const std::array<LitCorner, 3>& corners, Pixel color) {
+void TrianglePainter::paintClipped(const std::array<LitCorner, 3>& corners) {
   const Clipped clipped = clipAtNearPlane(corners);
   if (clipped.count < 3) return;
-  const double light = corners[0].light;
-  const bool flat = light == corners[1].light && light == corners[2].light;
   const ScreenCorner first = project(clipped.corners[0]);
   ScreenCorner second = project(clipped.corners[1]);
   for (int i = 2; i < clipped.count; ++i) {
     const ScreenCorner third = project(clipped.corners[i]);
-    paintOnScreen({first, second, third}, color, flat, light);
+    paint(first, second, third);
     second = third;
   }
 }
 
-void TrianglePainter::paintOnScreen(std::array<ScreenCorner, 3> corners, Pixel color, bool flat,
-                                    double light) {
-  const auto& [a, b, c] = corners;
+bool TrianglePainter::paint(const ScreenCorner& a, const ScreenCorner& b, const ScreenCorner& c) {
   const double ab_u = b.u - a.u, ab_v = b.v - a.v, ac_u = c.u - a.u, ac_v = c.v - a.v;
   // v counts downwards, so a front face, counter-clockwise to the eye, has a negative area.
   const double area = ab_u * ac_v - ac_u * ab_v;
-  if (!(area < 0)) return;
+  if (!(area < 0)) return false;
+  const double inverse_area = 1 / area;
   // The linear form that takes the corners' values at the corners.
   const auto through = [&](double at_a, double at_b, double at_c) {
     const double ab = at_b - at_a, ac = at_c - at_a;
-    const double du = (ab * ac_v - ac * ab_v) / area;
-    const double dv = (ac * ab_u - ab * ac_u) / area;
+    const double du = (ab * ac_v - ac * ab_v) * inverse_area;
+    const double dv = (ac * ab_u - ab * ac_u) * inverse_area;
     return LinearForm{du, dv, at_a - du * a.u - dv * a.v};
   };
   Surface surface;
-  surface.color = color;
   surface.inverse_depth = through(a.inverse_depth, b.inverse_depth, c.inverse_depth);
-  surface.flat = flat;
-  if (flat) {
-    surface.color = lit(color, static_cast<int>(light));
-  } else {
-    surface.light_over_depth = through(a.light_over_depth, b.light_over_depth, c.light_over_depth);
+  surface.is_flat = a.light == b.light && a.light == c.light;
+  surface.color = surface.is_flat ? lit(paint_.color, static_cast<int>(a.light)) : paint_.color;
+  if (!surface.is_flat || paint_.texture) surface.light = through(a.light, b.light, c.light);
+  if (paint_.texture) {
+    const auto &at = a.texture_over_depth, &bt = b.texture_over_depth, &ct = c.texture_over_depth;
+    surface.right = through(at.x(), bt.x(), ct.x());
+    surface.down = through(at.y(), bt.y(), ct.y());
   }
-  fill(corners, surface);
+  fill(surface, {&a, &b, &c});
+  return true;
 }
 
-void TrianglePainter::fill(std::array<ScreenCorner, 3> corners, const Surface& surface) {
-  // From top to bottom; equal heights by u, so that triangles that share an edge cut it alike.
-  const auto higher = [](const ScreenCorner& a, const ScreenCorner& b) {
-    return a.v < b.v || (a.v == b.v && a.u < b.u);
-  };
-  std::sort(corners.begin(), corners.end(), higher);
+void TrianglePainter::fill(const Surface& surface, std::array<const ScreenCorner*, 3> corners) {
+  std::sort(corners.begin(), corners.end(), isHigher);
   const auto& [top, middle, bottom] = corners;
   const int height = raster_.size().height;
-  const int end = firstPixel(bottom.v, height);
-  for (int row = firstPixel(top.v, height); row < end; ++row) {
-    const double v = row + 0.5;
-    const double far_side = crossing(top.u, top.v, bottom.u, bottom.v, v);
-    const double near_side = v < middle.v ? crossing(top.u, top.v, middle.u, middle.v, v)
-                                          : crossing(middle.u, middle.v, bottom.u, bottom.v, v);
-    fillRow(row, std::min(far_side, near_side), std::max(far_side, near_side), surface);
-  }
+  const int first = firstPixel(top->v, height);
+  const int turn = firstPixel(middle->v, height);
+  const int end = firstPixel(bottom->v, height);
+  if (first == end) return;
+  const Side whole(*top, *bottom);
+  const auto fillRows = [&](const Side& side, int from, int to) {
+    for (int row = from; row < to; ++row) {
+      const double a = whole.at(row + 0.5);
+      const double b = side.at(row + 0.5);
+      fillRow(surface, row, std::min(a, b), std::max(a, b));
+    }
+  };
+  if (first < turn) fillRows(Side(*top, *middle), first, turn);
+  if (turn < end) fillRows(Side(*middle, *bottom), turn, end);
 }
 
-void TrianglePainter::fillRow(int row, double left, double right, const Surface& surface) {
+void TrianglePainter::fillRow(const Surface& surface, int row, double left, double right) {
   const int width = raster_.size().width;
-  const int end = firstPixel(right, width);
   const int first = firstPixel(left, width);
+  const int end = firstPixel(right, width);
+  if (first >= end) return;
+  if (paint_.texture || !paint_.is_above_ground) return texture(surface, row, first, end);
   Pixel* const colors = raster_.colors(row);
   float* const depths = raster_.inverseDepths(row);
   double depth = surface.inverse_depth.at(first + 0.5, row + 0.5);
-  double light = surface.light_over_depth.at(first + 0.5, row + 0.5);
-  double ground = ground_.at(first + 0.5, row + 0.5);
+  double light = surface.light.at(first + 0.5, row + 0.5);
   for (int i = first; i < end; ++i) {
     const float nearness = static_cast<float>(depth);
-    if (nearness > depths[i] && depth > ground) {
+    if (nearness > depths[i]) {
       depths[i] = nearness;
-      colors[i] = surface.flat
+      colors[i] = surface.is_flat
                       ? surface.color
-                      : lit(surface.color, static_cast<int>(std::clamp(light / depth, 0.0, 256.0)));
+                      : lit(surface.color, static_cast<int>(std::clamp(light, 0.0, 256.0)));
     }
     depth += surface.inverse_depth.u;
-    light += surface.light_over_depth.u;
-    ground += ground_.u;
+    light += surface.light.u;
+  }
+}
+
+// The slower way, for what has a texture or may lie in the ground.
+void TrianglePainter::texture(const Surface& surface, int row, int first, int end) {
+  Pixel* const colors = raster_.colors(row);
+  float* const depths = raster_.inverseDepths(row);
+  const double v = row + 0.5;
+  for (int i = first; i < end; ++i) {
+    const double u = i + 0.5;
+    const double depth = surface.inverse_depth.at(u, v);
+    const float nearness = static_cast<float>(depth);
+    if (nearness <= depths[i]) continue;
+    if (!paint_.is_above_ground && depth <= ground_.at(u, v)) continue;
+    depths[i] = nearness;
+    Pixel color = surface.color;
+    if (paint_.texture || !surface.is_flat) {
+      if (paint_.texture)
+        color = sample(*paint_.texture, surface.right, surface.down, surface.inverse_depth, u, v);
+      color = lit(color, static_cast<int>(std::clamp(surface.light.at(u, v), 0.0, 256.0)));
+    }
+    colors[i] = color;
   }
 }
 
