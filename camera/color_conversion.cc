@@ -1,5 +1,7 @@
 #include "camera/color_conversion.h"
 
+#include "camera/wide.h"
+
 namespace nao::camera {
 namespace {
 
@@ -59,15 +61,22 @@ constexpr PairLayout kYuyv = {0, 2, 1, 3};
 constexpr PairLayout kYycbcr = {0, 1, 2, 3};
 
 void packPairs(const Pixel* pixels, std::size_t count, std::uint8_t* out, PairLayout layout) {
-  Memo memo(toYuv);
   for (std::size_t i = 0; i + 1 < count; i += 2, out += 4) {
-    const Triple first = memo(pixels[i]);
-    const Triple& second = memo(pixels[i + 1]);
+    const Triple first = toYuv(toColor(pixels[i]));
+    const Triple second = toYuv(toColor(pixels[i + 1]));
     out[layout.first_y] = first[0];
     out[layout.second_y] = second[0];
     out[layout.u] = static_cast<std::uint8_t>((first[1] + second[1] + 1) / 2);
     out[layout.v] = static_cast<std::uint8_t>((first[2] + second[2] + 1) / 2);
   }
+}
+
+void packYuyv(const Pixel* pixels, std::size_t count, std::uint8_t* out) {
+  std::size_t done = 0;
+#if defined(__SSE2__)
+  for (; done + 8 <= count; done += 8) wide::packYuyv8(pixels + done, out + 2 * done);
+#endif
+  packPairs(pixels + done, count - done, out + 2 * done, kYuyv);
 }
 
 int hueOf(const Color& color, int max, int range) {
@@ -88,16 +97,12 @@ int hueOf(const Color& color, int max, int range) {
 }  // namespace
 
 Triple toYuv(Color color) {
-  // Fixed point, 16 bits behind the point: .299 .587 .114, then .564 = .5 / (1 - .114) and
-  // .713 = .5 / (1 - .299) multiplied out.
-  const int r = color.red;
-  const int g = color.green;
-  const int b = color.blue;
-  const int half = 1 << 15;
-  const int y = (19595 * r + 38470 * g + 7471 * b + half) >> 16;
-  const int u = ((-11059 * r - 21709 * g + 32768 * b + half) >> 16) + 128;
-  const int v = ((32768 * r - 27439 * g - 5329 * b + half) >> 16) + 128;
-  return {clampToByte(y), clampToByte(u), clampToByte(v)};
+  // Weights with 15 bits behind the point (camera/wide.h): .299 .587 .114, then
+  // .564 = .5 / (1 - .114) and .713 = .5 / (1 - .299) multiplied out.
+  const Pixel pixel = toPixel(color);
+  return {clampToByte(wide::weighted(pixel, wide::kToY)),
+          clampToByte(wide::weighted(pixel, wide::kToU) + 128),
+          clampToByte(wide::weighted(pixel, wide::kToV) + 128)};
 }
 
 Triple toHsy(Color color) {
@@ -131,7 +136,7 @@ Bytes toBytes(const Raster& raster, ColorSpace space) {
       packChannel(pixels, count, toHsy, out, channel);
       break;
     case ColorSpace::kYUV422:
-      packPairs(pixels, count, out, kYuyv);
+      packYuyv(pixels, count, out);
       break;
     case ColorSpace::kYYCbCr:
       packPairs(pixels, count, out, kYycbcr);

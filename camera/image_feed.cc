@@ -19,6 +19,22 @@ bool ImageFeed::unsubscribe(std::uint64_t id) {
   return true;
 }
 
+CameraControl& ImageFeed::ownControl(int camera) {
+  const auto index = static_cast<std::size_t>(camera);
+  if (own_controls_.size() <= index) own_controls_.resize(index + 1);
+  return own_controls_[index];
+}
+
+void ImageFeed::setSettings(int camera, const CameraSettings& settings) {
+  ownControl(camera).settings = settings;
+  controls_.publish(own_controls_);
+}
+
+void ImageFeed::setEffects(int camera, const CameraEffects& effects) {
+  ownControl(camera).effects = effects;
+  controls_.publish(own_controls_);
+}
+
 std::shared_ptr<const Image> ImageFeed::latest(std::uint64_t id) const {
   const auto table = table_.get();
   if (!table) return nullptr;

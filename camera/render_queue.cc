@@ -53,8 +53,13 @@ RenderQueue::RenderQueue(std::shared_ptr<const ImageFeed> feed, std::size_t capa
 bool RenderQueue::anyDue(SimTime now) {
   auto table = feed_->subscriptions();
   const bool started_over = now < now_;
-  if (started_over) taken_.clear();
+  if (started_over) {
+    taken_.clear();
+    held_.clear();
+  }
   now_ = now;
+  for (; !held_.empty() && held_.front().first <= now; held_.pop_front())
+    post(std::move(held_.front().second));
   if (started_over || table != table_) {
     table_ = std::move(table);
     findNextDue();
@@ -76,19 +81,43 @@ void RenderQueue::findNextDue() {
 
 bool RenderQueue::offer(std::shared_ptr<const SceneFrame> scene, std::size_t robot) {
   if (!anyDue(scene->time)) return true;
-  Job job{std::move(scene), robot, {}};
+  std::map<Duration, Job> jobs;                 // by latency
   std::map<std::uint64_t, std::int64_t> taken;  // forgets who has unsubscribed
+  const auto& cameras = scene->robots.at(robot).model->cameras;
   for (const Subscription& subscription : *table_) {
     const std::int64_t k = pictureNumber(now_, subscription.request.frame_rate);
     const auto last = taken_.find(subscription.id);
-    if (last == taken_.end() || last->second < k) job.due.push_back(subscription);
+    const Duration latency =
+        cameras.at(static_cast<std::size_t>(subscription.request.camera)).latency;
+    if (last == taken_.end() || last->second < k) jobs[latency].due.push_back(subscription);
     taken[subscription.id] = k;
   }
   taken_ = std::move(taken);
   findNextDue();
+  bool all = true;
+  for (auto& [latency, job] : jobs) {
+    job.scene = scene;
+    job.robot = robot;
+    job.controls = feed_->controls();
+    if (latency > Duration::zero()) {
+      hold(now_ + latency, std::move(job));
+    } else {
+      all &= post(std::move(job));
+    }
+  }
+  return all;
+}
+
+void RenderQueue::hold(SimTime until, Job job) {
+  const auto later = std::find_if(held_.begin(), held_.end(),
+                                  [&](const auto& other) { return other.first > until; });
+  held_.insert(later, {until, std::move(job)});
+}
+
+bool RenderQueue::post(Job job) {
   const auto images = static_cast<std::int64_t>(job.due.size());
   if (pendingJobs() >= capacity_ || !jobs_.post(std::move(job))) {
-    dropped_images_ += images;
+    dropped_.publish(droppedImages() + images);
     return false;
   }
   ++offered_jobs_;
@@ -98,6 +127,19 @@ bool RenderQueue::offer(std::shared_ptr<const SceneFrame> scene, std::size_t rob
 std::size_t RenderQueue::pendingJobs() const {
   const auto finished = finished_.get();
   return static_cast<std::size_t>(offered_jobs_ - (finished ? *finished : 0));
+}
+
+Eye& RenderQueue::eyeOf(const Job& job, int camera) {
+  const auto found = eyes_.find(camera);
+  if (found != eyes_.end()) return found->second;
+  const auto index = static_cast<std::size_t>(camera);
+  const std::uint64_t seed = job.robot * 1000 + index;  // every eye has noise of its own
+  return eyes_.try_emplace(camera, *job.scene->robots[job.robot].model, index, seed).first->second;
+}
+
+std::int64_t RenderQueue::droppedImages() const {
+  const auto dropped = dropped_.get();
+  return dropped ? *dropped : 0;
 }
 
 bool RenderQueue::renderNext(Renderer& renderer) {
@@ -111,7 +153,12 @@ bool RenderQueue::renderNext(Renderer& renderer) {
     const auto same = [&](const Subscription& s) { return sameView(s.request, first->request); };
     if (std::any_of(job.due.begin(), first, same)) continue;  // drawn with an earlier one
     const CameraPlace place{job.robot, static_cast<std::size_t>(first->request.camera)};
-    const Raster& raster = renderer.render(*job.scene, place, first->request.size);
+    const bool is_set = job.controls && place.camera < job.controls->size();
+    const CameraControl control = is_set ? (*job.controls)[place.camera] : CameraControl{};
+    Eye& eye = eyeOf(job, first->request.camera);
+    if (control.effects) eye.use(*control.effects);
+    const Raster& raster =
+        eye.look(*job.scene, place, first->request.size, control.settings, renderer);
     publish(raster, job.due, first->request, job.scene->time);
   }
   finished_.publish(++finished_jobs_);

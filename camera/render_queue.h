@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "camera/eye.h"
 #include "camera/image_feed.h"
 #include "camera/renderer.h"
 #include "core/latest.h"
@@ -15,10 +16,10 @@
 namespace nao::camera {
 
 /// Takes scenes from the simulation thread to the camera thread, for one robot, and the pictures
-/// made of them to the robot's ImageFeed. Nothing here waits: who finds the queue full drops the
-/// pictures of that instant and counts them. The owner of the threads decides whether to wait
-/// until pendingJobs() falls (maximum speed, lockstep) or to go on (1x). Without a camera thread,
-/// call renderNext() after offer().
+/// made of them, as that robot's eyes give them, to its ImageFeed. Nothing here waits: who finds
+/// the queue full drops the pictures of that instant and counts them. The owner of the threads
+/// decides whether to wait until pendingJobs() falls (maximum speed, lockstep) or to go on (1x).
+/// Without a camera thread, call renderNext() after offer().
 class RenderQueue {
  public:
   /// At most `capacity` instants wait or are being drawn.
@@ -27,6 +28,7 @@ class RenderQueue {
   // --- Simulation thread ---
 
   /// Whether a picture is due at `now`: cheap enough for every step. If so, offer() the scene.
+  /// Also hands on the pictures whose latency has passed.
   bool anyDue(SimTime now);
 
   /// Queues the pictures due at the scene's time, as robot `robot` of the scene sees it. False
@@ -36,7 +38,8 @@ class RenderQueue {
   /// Instants offered and not yet drawn.
   std::size_t pendingJobs() const;
 
-  std::int64_t droppedImages() const { return dropped_images_; }
+  /// Those that found the queue full, so far. Any thread.
+  std::int64_t droppedImages() const;
 
   // --- Camera thread ---
 
@@ -49,25 +52,31 @@ class RenderQueue {
     std::shared_ptr<const SceneFrame> scene;
     std::size_t robot = 0;
     std::vector<Subscription> due;
+    std::shared_ptr<const std::vector<CameraControl>> controls;
   };
 
   void findNextDue();
+  void hold(SimTime until, Job job);
+  bool post(Job job);
+  Eye& eyeOf(const Job& job, int camera);
 
   const std::shared_ptr<const ImageFeed> feed_;
   const std::size_t capacity_;
   Mailbox<Job> jobs_;
   Latest<std::int64_t> finished_;  // jobs, ever
+  Latest<std::int64_t> dropped_;   // images, ever
 
   // Of the simulation thread.
   std::shared_ptr<const std::vector<Subscription>> table_;
   std::map<std::uint64_t, std::int64_t> taken_;  // by subscription: k of the last picture
   SimTime now_ = SimTime::min();
   SimTime next_due_ = SimTime::max();
+  std::deque<std::pair<SimTime, Job>> held_;  // until the latency of their camera has passed
   std::int64_t offered_jobs_ = 0;
-  std::int64_t dropped_images_ = 0;
 
   // Of the camera thread.
   std::deque<Job> waiting_;
+  std::map<int, Eye> eyes_;  // by camera
   std::int64_t finished_jobs_ = 0;
 };
 

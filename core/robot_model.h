@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/camera_model.h"
 #include "core/frames.h"
 #include "core/joint.h"
 #include "core/shape.h"
@@ -76,17 +77,6 @@ struct Frame {
   std::string name;
   int body = 0;
   Pose X_BF = Pose::Identity();
-};
-
-struct CameraModel {
-  std::string name;  // CameraTop, CameraBottom
-  int body = 0;
-  Pose X_BC = Pose::Identity();  // x along the line of sight
-  double hfov = 0;               // [rad]
-  double vfov = 0;               // [rad]
-  int max_width = 640;           // [px]
-  int max_height = 480;          // [px]
-  std::vector<int> frame_rates;  // [1/s] offered, ascending; a wish is rounded up
 };
 
 /// A foot: where it touches the ground and where it feels it.

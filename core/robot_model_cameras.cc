@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/camera_effects.h"
 #include "core/robot_model_parts.h"
 
 namespace nao {
@@ -8,6 +9,17 @@ namespace {
 
 constexpr double kRadPerDeg = M_PI / 180;
 constexpr Interval kFieldOfViewDeg{1, 170};  // a pinhole lens shows less than 180
+
+void readEffects(Config& effects, CameraModel& camera) {
+  for (const CameraEffectName& effect : kCameraEffects)
+    camera.effects.*effect.on = effects.flag(effect.name, false);
+}
+
+void readDistortion(Config& lens, CameraModel& camera) {
+  constexpr Interval kSmall{-1, 1};  // beyond, pictures fold over
+  camera.distortion = {lens.number("k1", kSmall, 0), lens.number("k2", kSmall, 0),
+                       lens.number("p1", kSmall, 0), lens.number("p2", kSmall, 0)};
+}
 
 CameraModel readCamera(Config& entry, const RobotModel& model) {
   CameraModel camera;
@@ -25,6 +37,12 @@ CameraModel readCamera(Config& entry, const RobotModel& model) {
       !std::is_sorted(camera.frame_rates.begin(), camera.frame_rates.end())) {
     entry.reject("frame_rates", "one rate or more, rising");
   }
+  camera.sensor = entry.text("sensor", "");
+  camera.latency = fromSeconds(entry.number("latency_ms", {0, 1000}, 0) / 1000);
+  entry.map("distortion", Config::Presence::Optional,
+            [&](Config& lens) { readDistortion(lens, camera); });
+  entry.map("effects", Config::Presence::Optional,
+            [&](Config& effects) { readEffects(effects, camera); });
   return camera;
 }
 
