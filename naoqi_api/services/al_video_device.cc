@@ -9,6 +9,9 @@ namespace nao::services {
 namespace {
 
 constexpr std::size_t kLongestName = 128;
+constexpr camera::ColorSpace kSensorSpace = camera::ColorSpace::kYUV422;  // what sensors deliver
+constexpr int k16Vga = 4;                                                 // resolution 2560x1920
+constexpr int k16VgaMostRate = 15;  // [1/s] NAOqi 2.8, the V6's top camera
 
 /// The rate a camera works at when asked for `wish` pictures a second: its next faster one.
 int offeredRate(const CameraModel& camera, int wish) {
@@ -40,7 +43,7 @@ AlVideoDevice::AlVideoDevice(std::shared_ptr<const RobotModel> robot,
     : robot_(std::move(robot)),
       feed_(std::move(feed)),
       epoch_(epoch),
-      parameters_(robot_->cameras.size()) {}
+      settings_(robot_->cameras.size()) {}
 
 std::string AlVideoDevice::subscribeCamera(const rpc::Caller& caller, const std::string& name,
                                            int camera, int resolution, int color_space,
@@ -94,6 +97,7 @@ std::optional<AlVideoDevice::Window> AlVideoDevice::makeWindow(int camera, int r
   window.resolution = offeredResolution(model, resolution);
   window.color_space = *space;
   window.frame_rate = offeredRate(model, frame_rate);
+  if (window.resolution == k16Vga) window.frame_rate = std::min(window.frame_rate, k16VgaMostRate);
   return window;
 }
 
@@ -127,10 +131,17 @@ bool AlVideoDevice::unsubscribe(const std::string& handle) {
   if (found == windows_.end()) return false;
   const Window closed = std::move(found->second);
   windows_.erase(found);
-  feed_->unsubscribe(closed.subscription);
+  closeFeeds(closed);
   recordings_.erase(handle);
-  for (const auto& call : closed.waiting) call.resolve(rpc::Value());
+  for (const auto* waiting : {&closed.waiting, &closed.waiting_raw}) {
+    for (const auto& call : *waiting) call.resolve(rpc::Value());
+  }
   return true;
+}
+
+void AlVideoDevice::closeFeeds(const Window& window) {
+  feed_->unsubscribe(window.subscription);
+  if (window.raw != 0) feed_->unsubscribe(window.raw);
 }
 
 void AlVideoDevice::unsubscribeAllInstances(const std::string& name) {
@@ -145,34 +156,51 @@ std::vector<std::string> AlVideoDevice::handles() const {
   return found;
 }
 
+// What clients test for as None answers an unknown handle and a camera that is off.
 rpc::Pending<rpc::Value> AlVideoDevice::getImageRemote(const std::string& handle) {
-  rpc::Pending<rpc::Value> reply;
+  rpc::Pending<rpc::Value> nothing;
   Window* const window = findWindow(handle);
-  if (window == nullptr) {
-    reply.resolve(rpc::Value());  // what clients test for as None
-  } else if (closed_.count(window->camera) > 0) {
-    reply.resolve(rpc::Value());
-  } else if (const auto image = pictureOf(*window)) {
-    reply.resolve(toReply(*image));
-  } else {
-    auto& waiting = window->waiting;
-    const auto given_up = [](const auto& call) { return call.isDone(); };
-    waiting.erase(std::remove_if(waiting.begin(), waiting.end(), given_up), waiting.end());
-    waiting.push_back(reply);
-    reply.onlyWaits();
+  if (window != nullptr && closed_.count(window->camera) == 0)
+    return replyWith(pictureOf(*window), window->waiting);
+  nothing.resolve(rpc::Value());
+  return nothing;
+}
+
+rpc::Pending<rpc::Value> AlVideoDevice::getDirectRawImage(const std::string& handle) {
+  Window* const window = findWindow(handle);
+  const bool is_off = window == nullptr || closed_.count(window->camera) > 0;
+  if (is_off || window->color_space == kSensorSpace) return getImageRemote(handle);
+  if (window->raw == 0) {
+    window->raw = feed_->subscribe({window->camera, *camera::resolutionSize(window->resolution),
+                                    kSensorSpace, window->frame_rate});
   }
+  return replyWith(rawPictureOf(*window), window->waiting_raw);
+}
+
+/// The picture, or when it comes.
+rpc::Pending<rpc::Value> AlVideoDevice::replyWith(const Picture& picture, Waiting& waiting) const {
+  rpc::Pending<rpc::Value> reply;
+  if (picture) {
+    reply.resolve(toReply(*picture));
+    return reply;
+  }
+  const auto given_up = [](const auto& call) { return call.isDone(); };
+  waiting.erase(std::remove_if(waiting.begin(), waiting.end(), given_up), waiting.end());
+  waiting.push_back(reply);
+  reply.onlyWaits();
   return reply;
 }
 
 void AlVideoDevice::deliverImages() {
   std::vector<std::pair<rpc::Pending<rpc::Value>, rpc::Value>> replies;
+  const auto deliver = [&](const Picture& picture, Waiting& waiting) {
+    if (!picture) return;
+    for (const auto& call : std::exchange(waiting, {}))
+      replies.emplace_back(call, toReply(*picture));
+  };
   for (auto& [unused, window] : windows_) {
-    if (window.waiting.empty()) continue;
-    const auto image = pictureOf(window);
-    if (!image) continue;
-    for (const auto& call : std::exchange(window.waiting, {})) {
-      replies.emplace_back(call, toReply(*image));
-    }
+    if (!window.waiting.empty()) deliver(pictureOf(window), window.waiting);
+    if (!window.waiting_raw.empty()) deliver(rawPictureOf(window), window.waiting_raw);
   }
   for (const auto& [call, reply] : replies) call.resolve(reply);
   recordDue();
@@ -203,7 +231,9 @@ bool AlVideoDevice::replace(const std::string& handle, const std::optional<Windo
   window->resolution = changed->resolution;
   window->color_space = changed->color_space;
   window->frame_rate = changed->frame_rate;
-  feed_->unsubscribe(window->subscription);
+  closeFeeds(*window);
+  window->raw = 0;
+  for (const auto& call : std::exchange(window->waiting_raw, {})) call.resolve(rpc::Value());
   startSubscription(*window);
   return true;
 }

@@ -14,7 +14,6 @@
 #include "core/robot_model.h"
 #include "core/sim_time.h"
 #include "naoqi_api/service.h"
-#include "naoqi_api/services/al_video_device_parameters.h"
 
 namespace nao::services {
 
@@ -55,8 +54,12 @@ class AlVideoDevice {
     bool follows_active = false;     // NaoQi 1.x: shows whichever camera is active
     std::uint64_t session = 0;       // of the client; 0: none
     std::uint64_t subscription = 0;  // in the feed
+    std::uint64_t raw = 0;           // there: the same as the sensor gives it; 0: nobody asked
     std::vector<rpc::Pending<rpc::Value>> waiting;
+    std::vector<rpc::Pending<rpc::Value>> waiting_raw;
   };
+  using Waiting = std::vector<rpc::Pending<rpc::Value>>;
+  using Picture = std::shared_ptr<const camera::Image>;
 
   // Windows
   std::string subscribeCamera(const rpc::Caller& caller, const std::string& name, int camera,
@@ -69,6 +72,7 @@ class AlVideoDevice {
   void unsubscribeAllInstances(const std::string& name);
   rpc::Value getSubscribers() const;
   rpc::Pending<rpc::Value> getImageRemote(const std::string& handle);
+  rpc::Pending<rpc::Value> getDirectRawImage(const std::string& handle);
   bool releaseImage(const std::string& handle) const;
 
   int getCamera(const std::string& handle) const;
@@ -121,7 +125,8 @@ class AlVideoDevice {
                                const rpc::Value& cameras, const rpc::Value& resolutions,
                                const rpc::Value& color_spaces, int frame_rate);
   bool unsubscribeAny(const std::string& name);
-  rpc::Pending<rpc::Value> getImagesRemote(const std::string& name);
+  using ImageGetter = rpc::Pending<rpc::Value> (AlVideoDevice::*)(const std::string&);
+  rpc::Pending<rpc::Value> getSeveral(const std::string& name, ImageGetter get);
   const std::vector<std::string>& windowsOf(const std::string& name) const;  // @throws CallError
 
   // Pictures that a client puts in place of the camera's, and files of pictures
@@ -149,6 +154,8 @@ class AlVideoDevice {
 
   bool isCamera(int camera) const;
   const CameraModel& cameraOf(int camera) const;  // @throws CallError
+  const camera::SensorType& sensorOf(int camera) const;
+  const camera::ParameterRange& parameterOf(int camera, int id) const;  // @throws CallError
   Window* findWindow(const std::string& handle);
   const Window* findWindow(const std::string& handle) const;
   const Window& windowOf(const std::string& handle) const;  // @throws CallError
@@ -163,7 +170,11 @@ class AlVideoDevice {
   bool turn(const std::string& handle, int camera);
   bool replace(const std::string& handle, const std::optional<Window>& changed);
   rpc::Value toReply(const camera::Image& image) const;
-  std::shared_ptr<const camera::Image> pictureOf(const Window& window) const;
+  rpc::Pending<rpc::Value> replyWith(const Picture& picture, Waiting& waiting) const;
+  void closeFeeds(const Window& window);
+  Picture pictureOf(const Window& window) const;
+  Picture rawPictureOf(const Window& window) const;
+  Picture putPicture(const Window& window, camera::ColorSpace space) const;  // or null
 
   struct PutImage {
     camera::ImageSize size;
@@ -185,7 +196,7 @@ class AlVideoDevice {
   Duration epoch_;
   std::map<std::string, Window> windows_;                    // by handle
   std::map<std::string, std::vector<std::string>> several_;  // handles, by that of them all
-  std::vector<CameraParameters> parameters_;                 // by camera
+  std::vector<camera::CameraSettings> settings_;             // by camera
   std::set<std::uint64_t> watched_sessions_;
   int active_camera_ = 0;
   bool numbers_first_ = true;

@@ -13,15 +13,6 @@ constexpr int kQvga = 1;
 constexpr int kDefaultFrameRate = 5;  // [1/s]
 constexpr int kCameraSelect = 18;     // parameter: the active camera
 constexpr int kSetToDefaults = 19;    // parameter: writing 1 resets all
-enum class Sensor { Ov7670 = 1, Mt9m114 = 2, Ov5640 = 3 };
-
-const CameraParameter& parameterOf(int id) {
-  const CameraParameter* const parameter = findCameraParameter(id);
-  if (parameter == nullptr) {
-    throw rpc::CallError("ALVideoDevice: no camera parameter " + std::to_string(id));
-  }
-  return *parameter;
-}
 
 }  // namespace
 
@@ -53,13 +44,19 @@ rpc::Value AlVideoDevice::getCameraIndexes() const {
 
 std::string AlVideoDevice::getCameraName(int camera) const { return cameraOf(camera).name; }
 
-int AlVideoDevice::getCameraModel(int camera) const {
-  cameraOf(camera);
-  const std::string& version = robot_->version;  // "V3.3"
-  const char generation = version.size() > 1 ? version[1] : '4';
-  if (generation <= '3') return static_cast<int>(Sensor::Ov7670);
-  return static_cast<int>(generation >= '6' ? Sensor::Ov5640 : Sensor::Mt9m114);
+const camera::SensorType& AlVideoDevice::sensorOf(int camera) const {
+  return camera::sensorOf(*robot_, cameraOf(camera));
 }
+
+const camera::ParameterRange& AlVideoDevice::parameterOf(int camera, int id) const {
+  const camera::ParameterRange* const parameter = camera::findParameter(sensorOf(camera), id);
+  if (parameter == nullptr) {
+    throw rpc::CallError("ALVideoDevice: no camera parameter " + std::to_string(id));
+  }
+  return *parameter;
+}
+
+int AlVideoDevice::getCameraModel(int camera) const { return sensorOf(camera).naoqi_model; }
 
 float AlVideoDevice::getHorizontalFov(int camera) const {
   return static_cast<float>(cameraOf(camera).hfov);
@@ -117,34 +114,35 @@ int AlVideoDevice::sizesToResolution(int width, int height) const {
 }
 
 int AlVideoDevice::getParameter(int camera, int parameter) const {
-  cameraOf(camera);
+  const camera::ParameterRange& known = parameterOf(camera, parameter);
   if (parameter == kCameraSelect) return active_camera_;
-  return parameters_[camera].get(parameterOf(parameter));
+  return settings_[camera].get(known);
 }
 
 bool AlVideoDevice::setParameter(int camera, int parameter, int value) {
-  cameraOf(camera);
+  const camera::ParameterRange& known = parameterOf(camera, parameter);
   if (parameter == kCameraSelect) return setActiveCamera(value);
-  const CameraParameter& known = parameterOf(parameter);
   if (parameter == kSetToDefaults && value == 1) return setAllParametersToDefault(camera);
-  return parameters_[camera].set(known, value);
+  if (!settings_[camera].set(known, value)) return false;
+  feed_->setSettings(camera, settings_[camera]);
+  return true;
 }
 
 bool AlVideoDevice::setParameterToDefault(int camera, int parameter) {
-  cameraOf(camera);
-  parameters_[camera].reset(parameterOf(parameter));
+  settings_[camera].reset(parameterOf(camera, parameter));
+  feed_->setSettings(camera, settings_[camera]);
   return true;
 }
 
 bool AlVideoDevice::setAllParametersToDefault(int camera) {
   cameraOf(camera);
-  parameters_[camera].resetAll();
+  settings_[camera].resetAll();
+  feed_->setSettings(camera, settings_[camera]);
   return true;
 }
 
 rpc::Value AlVideoDevice::getParameterRange(int camera, int parameter) const {
-  cameraOf(camera);
-  const CameraParameter& known = parameterOf(parameter);
+  const camera::ParameterRange& known = parameterOf(camera, parameter);
   return rpc::toValue(std::vector<int>{known.min, known.max});
 }
 

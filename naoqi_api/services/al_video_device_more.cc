@@ -9,7 +9,6 @@
 namespace nao::services {
 namespace {
 
-using rpc::Answer;
 using rpc::Argument;
 using rpc::CallError;
 using rpc::Value;
@@ -157,14 +156,14 @@ bool AlVideoDevice::unsubscribeAny(const std::string& name) {
 }
 
 // The pictures of all cameras, when the last has come.
-rpc::Pending<Value> AlVideoDevice::getImagesRemote(const std::string& name) {
+rpc::Pending<Value> AlVideoDevice::getSeveral(const std::string& name, ImageGetter get) {
   const auto& windows = windowsOf(name);
   const auto images = std::make_shared<std::vector<Value>>(windows.size());
   const auto missing = std::make_shared<std::size_t>(windows.size());
   rpc::Pending<Value> all;
   all.onlyWaits();
   for (std::size_t i = 0; i < windows.size(); ++i) {
-    getImageRemote(windows[i]).whenDone([images, missing, all, i](const auto& outcome) {
+    (this->*get)(windows[i]).whenDone([images, missing, all, i](const auto& outcome) {
       if (outcome.value) (*images)[i] = *outcome.value;
       if (--*missing == 0) all.resolve(Value::list(*images));
     });
@@ -184,14 +183,17 @@ void AlVideoDevice::describeSeveral(rpc::Service& service) {
       Argument{"fps", "[1/s]"});
   for (const char* name : {"getImagesRemote", "getImagesLocal"}) {
     addFunction(
-        service, name, [this](const std::string& all) { return getImagesRemote(all); },
+        service, name,
+        [this](const std::string& all) { return getSeveral(all, &AlVideoDevice::getImageRemote); },
         "The newest picture of each camera.", handle());
   }
   for (const char* name : {"getDirectRawImagesRemote", "getDirectRawImagesLocal"}) {
     addFunction(
-        service, name, [this](const std::string& all) { return getImagesRemote(all); },
-        "The newest picture of each camera, in the window's colour space.", handle())
-        .answering(Answer::Simplified);
+        service, name,
+        [this](const std::string& all) {
+          return getSeveral(all, &AlVideoDevice::getDirectRawImage);
+        },
+        "The newest picture of each camera as its sensor gives it: YUV422.", handle());
   }
   for (const char* name : {"releaseImages", "releaseDirectRawImages"}) {
     addFunction(
@@ -280,9 +282,9 @@ void AlVideoDevice::describeOldNames(rpc::Service& service) {
       "As getImageRemote: a client of another process gets a copy.", handle());
   for (const char* name : {"getDirectRawImageRemote", "getDirectRawImageLocal"}) {
     addFunction(
-        service, name, [this](const std::string& window) { return getImageRemote(window); },
-        "The newest picture, in the window's colour space.", handle())
-        .answering(Answer::Simplified);
+        service, name, [this](const std::string& window) { return getDirectRawImage(window); },
+        "The newest picture as the sensor gives it: YUV422, whatever the window's colour space.",
+        handle());
   }
   addFunction(
       service, "releaseDirectRawImage",

@@ -55,16 +55,27 @@ void AlVideoDevice::connect(std::function<SimTime()> now, std::filesystem::path 
   data_dir_ = std::move(data_dir);
 }
 
-std::shared_ptr<const camera::Image> AlVideoDevice::pictureOf(const Window& window) const {
+AlVideoDevice::Picture AlVideoDevice::pictureOf(const Window& window) const {
+  const Picture put = putPicture(window, window.color_space);
+  return put ? put : feed_->latest(window.subscription);
+}
+
+AlVideoDevice::Picture AlVideoDevice::rawPictureOf(const Window& window) const {
+  const Picture put = putPicture(window, camera::ColorSpace::kYUV422);
+  return put ? put : feed_->latest(window.raw);
+}
+
+AlVideoDevice::Picture AlVideoDevice::putPicture(const Window& window,
+                                                 camera::ColorSpace space) const {
   const auto put = put_.find(window.camera);
-  if (put == put_.end()) return feed_->latest(window.subscription);
+  if (put == put_.end()) return nullptr;
   camera::Image image;
   image.size = *camera::resolutionSize(window.resolution);
-  image.color_space = window.color_space;
+  image.color_space = space;
   image.time = put->second.time;
   image.camera = window.camera;
   image.bytes = std::make_shared<const camera::Bytes>(
-      camera::toBytes(resize(put->second.rgb, put->second.size, image.size), window.color_space));
+      camera::toBytes(resize(put->second.rgb, put->second.size, image.size), space));
   return std::make_shared<const camera::Image>(std::move(image));
 }
 
@@ -166,9 +177,8 @@ void AlVideoDevice::recordDue() {
 }
 
 Value AlVideoDevice::getParameterInfo(int camera, int parameter) const {
-  const CameraParameter* known = findCameraParameter(parameter);
-  if (!known) throw CallError("there is no parameter " + std::to_string(parameter));
-  return Value::list({known->min, known->max, known->initial, getParameter(camera, parameter)});
+  const camera::ParameterRange& known = parameterOf(camera, parameter);
+  return Value::list({known.min, known.max, known.initial, getParameter(camera, parameter)});
 }
 
 void AlVideoDevice::describeFiles(rpc::Service& service) {

@@ -225,16 +225,42 @@ TEST_F(AlVideoDeviceTest, AClientMayOutliveTheDevice) {
 }
 
 TEST_F(AlVideoDeviceTest, ParametersAreRememberedPerCameraWithinTheirRange) {
-  EXPECT_EQ(call("getParameter", {0, 0}), Value(55));
+  EXPECT_EQ(call("getParameter", {0, 0}), Value(128));
   EXPECT_EQ(call("setParameter", {0, 0, 200}), Value(true));
   EXPECT_EQ(call("setParameter", {0, 0, 256}), Value(false));
   EXPECT_EQ(call("getParameter", {0, 0}), Value(200));
-  EXPECT_EQ(call("getParameter", {1, 0}), Value(55));
+  EXPECT_EQ(call("getParameter", {1, 0}), Value(128));
   EXPECT_EQ(call("getParameterRange", {0, 0}).to<std::vector<int>>(), (std::vector<int>{0, 255}));
   EXPECT_EQ(call("setAllParametersToDefault", {0}), Value(true));
-  EXPECT_EQ(call("getParameter", {0, 0}), Value(55));
+  EXPECT_EQ(call("getParameter", {0, 0}), Value(128));
   EXPECT_NE(errorOf("getParameter", {0, 999}), "");
   EXPECT_NE(errorOf("setParameter", {9, 0, 1}), "");
+}
+
+TEST_F(AlVideoDeviceTest, ParametersGoToTheCamera) {
+  EXPECT_EQ(feed_->controls(), nullptr);
+  EXPECT_EQ(call("setParameter", {1, 17, 300}), Value(true));
+  const auto& sensor = camera::sensorType("OV7670");
+  ASSERT_EQ(feed_->controls()->size(), 2u);
+  EXPECT_EQ((*feed_->controls())[1].settings.get(sensor, camera::Parameter::kExposure), 300);
+  EXPECT_EQ(call("setParameterToDefault", {1, 17}), Value(true));
+  EXPECT_EQ((*feed_->controls())[1].settings.get(sensor, camera::Parameter::kExposure), 255);
+}
+
+TEST_F(AlVideoDeviceTest, ARawImageIsTheSensorsWhateverTheWindowShows) {
+  const std::string handle = subscribe("test", 0, kQvga, kRgb);
+  const auto first = start("getDirectRawImageRemote", {handle});
+  EXPECT_FALSE(first.isDone());
+  showPictures(SimTime(std::chrono::seconds(1)));
+  device_.deliverImages();
+  ASSERT_TRUE(first.isDone());
+  const auto fields = first.outcome()->value->to<std::vector<Value>>();
+  EXPECT_EQ(fields[2], Value(2));
+  EXPECT_EQ(fields[3], Value(kYuv422));
+  EXPECT_EQ(call("getImageRemote", {handle}).to<std::vector<Value>>()[3], Value(kRgb));
+  EXPECT_EQ(feed_->subscriptions()->size(), 2u);
+  call("unsubscribe", {handle});
+  EXPECT_TRUE(feed_->subscriptions()->empty());
 }
 
 TEST_F(AlVideoDeviceTest, ParametersAreReachedThroughAHandleAndTheOldNames) {
@@ -242,7 +268,7 @@ TEST_F(AlVideoDeviceTest, ParametersAreReachedThroughAHandleAndTheOldNames) {
   EXPECT_EQ(call("setCameraParameter", {bottom, 6, 100}), Value(true));
   EXPECT_EQ(call("getCameraParameter", {bottom, 6}), Value(100));
   EXPECT_EQ(call("getParam", {6, 1}), Value(100));
-  EXPECT_EQ(call("getParam", {6}), Value(32));  // the active camera is the top one
+  EXPECT_EQ(call("getParam", {6}), Value(16));  // the active camera is the top one
   call("setParam", {6, 50});
   EXPECT_EQ(call("getParameter", {0, 6}), Value(50));
 }
