@@ -92,6 +92,7 @@ rpc::Service UsarSim::describe() {
       .method("seed", this, &UsarSim::seed, "The run's --seed; 0: no variation.")
       .method("draw", this, &UsarSim::draw,
               "What the seed has drawn for this run, by robot, effect and name.");
+  describeTruth(service);
   return service;
 }
 

@@ -2,9 +2,12 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "camera/render_queue.h"
+#include "camera/renderer.h"
 #include "core/latest.h"
 #include "core/scene_frame.h"
 #include "daemon/robot_loop.h"
@@ -27,6 +30,13 @@ class UsarSim {
   /// Speaks for robot number `robot` of the loop's simulation.
   UsarSim(RobotLoop& loop, const Latest<SceneFrame>& truth, std::size_t robot, Chance chance);
 
+  /// The robot's pictures, for their effects and losses. Before describe() is used.
+  void watch(std::shared_ptr<camera::ImageFeed> images,
+             std::shared_ptr<const camera::RenderQueue> pictures) {
+    images_ = std::move(images);
+    pictures_ = std::move(pictures);
+  }
+
   rpc::Service describe();
 
   /// Ends the calls whose requests the loop has done; `outcomes` may belong to other ports too.
@@ -47,6 +57,17 @@ class UsarSim {
   std::uint64_t seed() const { return chance_.seed; }
   std::map<std::string, double> draw() const { return chance_.draw; }
   std::vector<std::string> snapshots() const { return loop_.state().get()->snapshots; }
+
+  void describeTruth(rpc::Service& service);
+  rpc::Value depthImage(int camera, int resolution);
+  rpc::Value labelImage(int camera, int resolution);
+  rpc::Value objectBoxes(int camera, int resolution);
+  std::vector<std::string> labelNames() const;
+  void setCameraEffects(int camera, const std::vector<std::string>& effects);
+  std::int64_t droppedPictures() const { return pictures_ ? pictures_->droppedImages() : 0; }
+  void checkCamera(int camera, const SceneFrame& scene) const;  // @throws CallError
+  template <class Use>
+  rpc::Value seen(int camera, int resolution, const Use& use);
 
   Pending pause();
   Pending resume();
@@ -73,6 +94,9 @@ class UsarSim {
   Chance chance_;
   std::uint64_t next_id_;
   std::map<std::uint64_t, Pending> asked_;
+  std::shared_ptr<camera::ImageFeed> images_;
+  std::shared_ptr<const camera::RenderQueue> pictures_;
+  std::unique_ptr<camera::Renderer> renderer_;  // made when first asked for
 };
 
 }  // namespace nao::daemon
