@@ -25,5 +25,6 @@ void addOptimise(CLI::App& app);
 void addPlan(CLI::App& app);
 void addBench(CLI::App& app);
 void addHide(CLI::App& app);
+void addRender(CLI::App& app);
 
 }  // namespace nao::app

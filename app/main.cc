@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
   nao::app::addPlan(app);
   nao::app::addBench(app);
   nao::app::addHide(app);
+  nao::app::addRender(app);
   try {
     app.parse(argc, argv);
     return 0;
