@@ -98,12 +98,17 @@ def snapshot_figures(runs):
 
 
 def render_figures(runs):
-    """Pictures per second of processor time: a field with goals and a ball, and with six robots."""
+    """Pictures per second of processor time: a field with goals and a ball, and with six robots;
+    the same as a camera gives it; and what physics and two cameras of 640x480 take of a core."""
     found = {}
     for width, height in ((640, 480), (320, 240)):
         for robots, suffix in ((0, ""), (6, "_6_robots")):
             run = runs[f"renderYuv422/width:{width}/robots:{robots}"]
             found[f"render_{width}x{height}{suffix}_fps"] = run["fps"]
+        found[f"camera_{width}x{height}_6_robots_fps"] = runs[f"cameraYuv422/width:{width}"]["fps"]
+    for robots in (1, 7):
+        run = runs[f"twoCamerasAndPhysics/robots:{robots}"]
+        found[f"two_cameras_30hz_{robots}_robots_core_percent"] = run["cpu_time"] / 10
     return found
 
 
