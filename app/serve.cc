@@ -84,6 +84,8 @@ void serve(Arguments& arguments) {
   const daemon::LoopState end = daemon.state();
   std::printf("stopped at %.3f s of simulated time, seed %" PRIu64 ", state %016" PRIx64 "\n",
               toSeconds(end.time), options.seed, end.hash);
+  if (const std::int64_t dropped = daemon.droppedPictures(); dropped > 0)
+    std::printf("%" PRId64 " pictures came too late and were not drawn\n", dropped);
 }
 
 void addPort(CLI::App& command, const char* name, std::optional<std::uint16_t>& port,

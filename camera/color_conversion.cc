@@ -113,6 +113,32 @@ Triple toHsy(Color color) {
           static_cast<std::uint8_t>(saturation), toYuv(color)[0]};
 }
 
+Triple toPureHue(Color color) {
+  const int hue = 6 * toHsy(color)[0];  // 256 to a sixth of a turn
+  const int rising = hue % 256;
+  const auto up = static_cast<std::uint8_t>(rising);
+  const auto down = static_cast<std::uint8_t>(255 - rising);
+  switch (hue / 256) {
+    case 0:
+      return {255, up, 0};
+    case 1:
+      return {down, 255, 0};
+    case 2:
+      return {0, 255, up};
+    case 3:
+      return {0, down, 255};
+    case 4:
+      return {up, 0, 255};
+    default:
+      return {255, 0, down};
+  }
+}
+
+Triple toHueSaturation(Color color) {
+  const Triple hsy = toHsy(color);
+  return {hsy[0], hsy[1], static_cast<std::uint8_t>((hsy[0] + hsy[1]) / 2)};
+}
+
 Bytes toBytes(const Raster& raster, ColorSpace space) {
   const std::size_t count = static_cast<std::size_t>(raster.size().width) * raster.size().height;
   const Pixel* const pixels = raster.colors(0);
@@ -152,6 +178,12 @@ Bytes toBytes(const Raster& raster, ColorSpace space) {
       break;
     case ColorSpace::kBGR:
       packTriples(pixels, count, toRgb, out, {2, 1, 0});
+      break;
+    case ColorSpace::kH2RGB:
+      packTriples(pixels, count, toPureHue, out, {0, 1, 2});
+      break;
+    case ColorSpace::kHSMixed:
+      packTriples(pixels, count, toHueSaturation, out, {0, 1, 2});
       break;
   }
   return bytes;

@@ -18,6 +18,12 @@ Triple toYuv(Color color);
 /// Hue (a full turn is 256, red 0, green 85), saturation (max - min) / max, and the Y above.
 Triple toHsy(Color color);
 
+/// Red, green, blue of the hue alone, at its fullest and brightest; grey is red, as its hue is 0.
+Triple toPureHue(Color color);
+
+/// Hue, saturation, and the mean of both.
+Triple toHueSaturation(Color color);
+
 /// The picture in this colour space. Two pixels that share U and V get the mean of both.
 Bytes toBytes(const Raster& raster, ColorSpace space);
 

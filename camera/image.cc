@@ -22,7 +22,7 @@ constexpr std::array<NamedSize, 7> kResolutions = {{{0, {160, 120}},
 }  // namespace
 
 std::optional<ColorSpace> toColorSpace(int id) {
-  if (id < 0 || id > static_cast<int>(ColorSpace::kYYCbCr)) return std::nullopt;
+  if (id < 0 || id > static_cast<int>(ColorSpace::kHSMixed)) return std::nullopt;
   return static_cast<ColorSpace>(id);
 }
 
@@ -35,6 +35,8 @@ int layers(ColorSpace space) {
     case ColorSpace::kRGB:
     case ColorSpace::kHSY:
     case ColorSpace::kBGR:
+    case ColorSpace::kH2RGB:
+    case ColorSpace::kHSMixed:
       return 3;
     case ColorSpace::kYuv:
     case ColorSpace::kyUv:

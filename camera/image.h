@@ -27,7 +27,9 @@ enum class ColorSpace {
   kRGB = 11,
   kHSY = 12,
   kBGR = 13,
-  kYYCbCr = 14
+  kYYCbCr = 14,
+  kH2RGB = 15,   // red, green, blue of the hue alone, at its fullest and brightest
+  kHSMixed = 16  // hue, saturation, and the mean of both
 };
 
 /// The colour space of this NaoQi number, or nothing for one that is not offered.

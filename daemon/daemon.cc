@@ -140,6 +140,12 @@ void Daemon::startModules() {
                   [this] { loop_.wake(); });
 }
 
+std::int64_t Daemon::droppedPictures() const {
+  std::int64_t dropped = 0;
+  for (const auto& host : hosts_) dropped += host->pictures()->droppedImages();
+  return dropped;
+}
+
 Daemon::~Daemon() {
   cameras_.stop();
   loop_.stop();

@@ -57,6 +57,9 @@ class Daemon {
   /// Before run(): what the seed has drawn for this run, by name; empty without one.
   std::map<std::string, double> draw() { return simulation_.world().draw(); }
 
+  /// Pictures that came too late to be drawn, of all robots; only at a fixed speed.
+  std::int64_t droppedPictures() const;
+
   /// After run(): how far the simulation came.
   LoopState state() const { return *loop_.state().get(); }
 

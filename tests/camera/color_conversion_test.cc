@@ -49,6 +49,35 @@ TEST(ColorConversion, HsyOfKnownColors) {
   EXPECT_EQ(toHsy({0, 0, 0}), (Triple{0, 0, 0}));
 }
 
+TEST(ColorConversion, HueAloneIsAPureColor) {
+  EXPECT_EQ(toPureHue({128, 0, 0}), (Triple{255, 0, 0}));
+  EXPECT_EQ(toPureHue({90, 90, 90}), (Triple{255, 0, 0}));
+  const Triple orange = toPureHue({128, 60, 0});  // 60 / 128 of the way to yellow
+  EXPECT_NEAR(orange[1], 120, 6);                 // a hue of one byte has steps of 6
+  const Triple blue = toPureHue({10, 10, 200});
+  EXPECT_LE(blue[0] + blue[1], 6);
+  EXPECT_EQ(toHueSaturation({0, 255, 0}), (Triple{85, 255, 170}));
+}
+
+// The fast way over eight pixels against the plain formula, also for what does not fill eight.
+TEST(ColorConversion, Yuv422OfLongRowsIsThePairsFormula) {
+  Raster raster;
+  raster.reset({22, 1});
+  for (int i = 0; i < 22; ++i) raster.colors(0)[i] = 0xff000000u | (i * 0x1b7a35u & 0xffffffu);
+  const Bytes bytes = toBytes(raster, ColorSpace::kYUV422);
+  for (int i = 0; i < 22; i += 2) {
+    const auto yuv = [&](int at) {
+      const Pixel p = raster.colors(0)[at];
+      return toYuv({std::uint8_t(p), std::uint8_t(p >> 8), std::uint8_t(p >> 16)});
+    };
+    const Triple a = yuv(i), b = yuv(i + 1);
+    EXPECT_EQ(bytes[2 * i], a[0]) << i;
+    EXPECT_EQ(bytes[2 * i + 1], (a[1] + b[1] + 1) / 2) << i;
+    EXPECT_EQ(bytes[2 * i + 2], b[0]) << i;
+    EXPECT_EQ(bytes[2 * i + 3], (a[2] + b[2] + 1) / 2) << i;
+  }
+}
+
 TEST(ColorConversion, BytesOfRgbAndBgrAreMirrored) {
   const Raster raster = twoPixels({1, 2, 3}, {4, 5, 6});
   EXPECT_EQ(toBytes(raster, ColorSpace::kRGB), (Bytes{1, 2, 3, 4, 5, 6}));
@@ -75,7 +104,7 @@ TEST(ColorConversion, Yuv422InterleavesAndSharesTheMeanChroma) {
 
 TEST(ColorConversion, EveryColorSpaceFillsItsLayers) {
   const Raster raster = twoPixels(kOrange, kRed);
-  for (int id = 0; id <= 14; ++id) {
+  for (int id = 0; id <= 16; ++id) {
     const ColorSpace space = *toColorSpace(id);
     EXPECT_EQ(toBytes(raster, space).size(), 2u * layers(space)) << id;
   }

@@ -8,11 +8,11 @@ namespace {
 TEST(Image, LayersAreNaoQis) {
   for (int id = 0; id <= 8; ++id) EXPECT_EQ(layers(*toColorSpace(id)), 1) << id;
   for (const int id : {9, 14}) EXPECT_EQ(layers(*toColorSpace(id)), 2) << id;
-  for (const int id : {10, 11, 12, 13}) EXPECT_EQ(layers(*toColorSpace(id)), 3) << id;
+  for (const int id : {10, 11, 12, 13, 15, 16}) EXPECT_EQ(layers(*toColorSpace(id)), 3) << id;
 }
 
 TEST(Image, UnknownColorSpacesAreNone) {
-  for (const int id : {-1, 15, 17, 1000}) EXPECT_FALSE(toColorSpace(id)) << id;
+  for (const int id : {-1, 17, 18, 1000}) EXPECT_FALSE(toColorSpace(id)) << id;
 }
 
 TEST(Image, ResolutionNumbersAreNaoQis) {

@@ -240,6 +240,37 @@ TEST(WorldModel, SaysWhatIsWrongWithAHullOrAMaterial) {
             "world.yaml:3: `name`: expected each name once, found 'a' again");
 }
 
+TEST(WorldModel, WhatMeetsTheEyeIsRead) {
+  const TemporaryFolder folder;
+  folder.write("paint.pgm", "P2\n1 1\n255\n7\n");
+  folder.write("tip.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\n");
+  const auto world = loadWorldModel(
+      folder.write("world.yaml",
+                   "light: 0.5\nground: {grain: 0.2}\n"
+                   "boxes:\n  - {position: [0, 0, 0], size: [1, 1, 1], texture: paint.pgm}\n"
+                   "hulls:\n  - {file: tip.obj, scale: 2, position: [1, 0, 0], faces: true}\n"
+                   "balls:\n  - {position: [0, 0, 1], radius: 0.05, mass: 0.04, patches: true}\n"
+                   "robots:\n  - {name: a, model: m, start: [0, 0, 0], team: [200, 0, 0]}\n"));
+  EXPECT_EQ(world->light, 0.5);
+  EXPECT_EQ(world->ground_grain, 0.2);
+  ASSERT_TRUE(world->obstacles[0].shape.texture);
+  EXPECT_EQ(world->obstacles[0].shape.texture->levels[0].pixels[0], 0x070707u);
+  const Shape& tip = world->obstacles[1].shape;
+  ASSERT_TRUE(tip.mesh && tip.hull);
+  ASSERT_EQ(tip.mesh->triangles.size(), 2u);
+  // The corner at (2, 0, 0) of the scaled file, 1 m along x in the world.
+  EXPECT_TRUE((tip.X_BS * tip.mesh->triangles[0][2].p).isApprox(Vec3(3, 0, 0)));
+  EXPECT_TRUE(world->balls[0].has_patches);
+  ASSERT_TRUE(world->robots[0].team);
+  EXPECT_EQ(world->robots[0].team->red, 200);
+}
+
+TEST(WorldModel, SaysWhatIsWrongWithATexture) {
+  EXPECT_EQ(complaintAbout("boxes:\n  - {position: [0, 0, 0], size: [1, 1, 1], texture: no.pgm}\n")
+                .find("world.yaml:2:"),
+            0u);
+}
+
 TEST(WorldModel, SaysWhichFileIsMissing) {
   try {
     loadWorldModel("/nowhere/moon.yaml");

@@ -116,6 +116,17 @@ TEST_F(AlVideoDeviceTest, AnUnknownHandleGivesNothing) {
   EXPECT_NE(errorOf("getResolution", {"nobody_0"}), "");
 }
 
+TEST_F(AlVideoDeviceTest, ReleasingTwiceHarmsNothingAndAnUnknownHandleIsFalse) {
+  const std::string handle = subscribe("test");
+  showPictures(SimTime(std::chrono::seconds(1)));
+  call("getImageRemote", {handle});
+  EXPECT_EQ(call("releaseImage", {handle}), Value(true));
+  EXPECT_EQ(call("releaseImage", {handle}), Value(true));
+  EXPECT_EQ(call("getImageRemote", {handle}).to<std::vector<Value>>().size(), 12u);
+  EXPECT_EQ(call("releaseImage", {"nobody_0"}), Value(false));
+  EXPECT_EQ(call("releaseDirectRawImage", {"nobody_0"}), Value(false));
+}
+
 TEST_F(AlVideoDeviceTest, HandlesCountUpAndAreReusedAndEnd) {
   for (std::size_t i = 0; i < AlVideoDevice::kMostOfOneName; ++i) {
     EXPECT_EQ(subscribe("vision"), "vision_" + std::to_string(i));
