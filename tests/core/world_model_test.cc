@@ -135,9 +135,10 @@ TEST(WorldModel, SaysWhereAndWhatInABrokenFile) {
             "world.yaml:3: `to`: expected a list of 2 numbers, found 1");
   EXPECT_EQ(complaintAbout("balls:\n  - {radius: 0.03, position: [0, 0, 0]}\n"),
             "world.yaml:2: `mass`: missing, expected a number above 0");
-  EXPECT_EQ(complaintAbout("name: x\ngrond: {}\n"),
-            "world.yaml:2: `grond`: unknown key, expected one of balls, boxes, cylinders, "
-            "gravity, ground, hulls, lines, materials, name, rings, robots, sky_color, spheres");
+  EXPECT_EQ(
+      complaintAbout("name: x\ngrond: {}\n"),
+      "world.yaml:2: `grond`: unknown key, expected one of balls, boxes, cylinders, "
+      "gravity, ground, hulls, light, lines, materials, name, rings, robots, sky_color, spheres");
   EXPECT_EQ(complaintAbout("robots:\n"
                            "  - {name: a, model: m, start: [0, 0, 0]}\n"
                            "  - {name: a, model: m, start: [1, 0, 0]}\n"),
