@@ -1,12 +1,10 @@
 // One picture of a world from a given place: what a robot's camera sees, or an eye of one's own.
 
 #include <CLI/CLI.hpp>
-#include <cinttypes>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "app/commands.h"
@@ -17,6 +15,7 @@
 #include "core/camera_effects.h"
 #include "core/check.h"
 #include "daemon/options.h"
+#include "validation/picture_report.h"
 #include "validation/png.h"
 
 namespace nao::app {
@@ -181,21 +180,6 @@ std::string deepPgmOf(camera::ImageSize size, const Values& values, const Conver
   return content;
 }
 
-nlohmann::json boxesOf(const camera::GroundTruth& truth, const SceneFrame& scene) {
-  const auto names = camera::labelNames(scene);
-  auto boxes = nlohmann::json::array();
-  for (const camera::LabelBox& box : truth.boxes) {
-    boxes.push_back({{"label", box.label},
-                     {"name", names.at(box.label)},
-                     {"left", box.left},
-                     {"top", box.top},
-                     {"right", box.right},
-                     {"bottom", box.bottom},
-                     {"pixels", box.pixels}});
-  }
-  return boxes;
-}
-
 void writeTruth(const Arguments& arguments, const camera::GroundTruth& truth) {
   if (!arguments.depth.empty()) {
     writeFile("--depth", arguments.depth, deepPgmOf(truth.size, truth.depths, [](float depth) {
@@ -206,22 +190,6 @@ void writeTruth(const Arguments& arguments, const camera::GroundTruth& truth) {
     writeFile("--labels", arguments.labels,
               deepPgmOf(truth.size, truth.labels, [](unsigned label) { return label; }));
   }
-}
-
-nlohmann::json viewOf(const camera::View& view) {
-  const Vec3 p = view.X_WC.translation();
-  auto rotation = nlohmann::json::array();
-  for (int i = 0; i < 3; ++i) {
-    const Mat3& R = view.X_WC.linear();
-    rotation.push_back({R(i, 0), R(i, 1), R(i, 2)});
-  }
-  const camera::Pinhole& lens = view.lens;
-  return {{"position", {p.x(), p.y(), p.z()}},
-          {"rotation", rotation},
-          {"fx", lens.fx},
-          {"fy", lens.fy},
-          {"cx", lens.cx},
-          {"cy", lens.cy}};
 }
 
 /// The picture and from where it is taken.
@@ -248,15 +216,6 @@ Shot take(const Arguments& arguments, SceneFrame& scene, camera::Renderer& rende
   return shot;
 }
 
-std::string hashOf(const camera::Raster& raster) {
-  camera::Image image;
-  image.bytes =
-      std::make_shared<const camera::Bytes>(camera::toBytes(raster, camera::ColorSpace::kRGB));
-  char hash[24];
-  std::snprintf(hash, sizeof hash, "%016" PRIx64, image.hash());
-  return hash;
-}
-
 void render(const Arguments& arguments) {
   sim::World world = makeWorld(arguments);
   pose(arguments, world);
@@ -268,17 +227,12 @@ void render(const Arguments& arguments) {
             is_ppm ? ppmOf(shot.raster) : validation::encodePng(shot.raster));
   const camera::GroundTruth truth = camera::calcGroundTruth(scene, shot.place, shot.view, renderer);
   writeTruth(arguments, truth);
-  const std::string hash = hashOf(shot.raster);
   if (arguments.json) {
-    const nlohmann::json result = {{"command", "render"},
-                                   {"hash", hash},
-                                   {"camera", viewOf(shot.view)},
-                                   {"boxes", boxesOf(truth, scene)}};
-    std::printf("%s\n", result.dump().c_str());
-  } else {
-    std::printf("%s: %dx%d, hash %s\n", arguments.out.c_str(), shot.view.lens.size.width,
-                shot.view.lens.size.height, hash.c_str());
+    std::printf("%s\n", validation::toJson(shot.raster, shot.view, truth, scene).c_str());
+    return;
   }
+  std::printf("%s: %dx%d, hash %s\n", arguments.out.c_str(), shot.view.lens.size.width,
+              shot.view.lens.size.height, validation::hashOf(shot.raster).c_str());
 }
 
 }  // namespace
