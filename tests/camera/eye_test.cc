@@ -181,7 +181,7 @@ TEST(Eye, ALatePictureShowsItsOwnTimeWhenItComes) {
   EXPECT_EQ(arrivals, expected);
 }
 
-TEST(Eye, SettingsReachThePictures) {
+TEST(Eye, SettingsAndEffectsReachThePictures) {
   CameraModel change;
   change.effects.response = true;
   auto scene = std::make_shared<SceneFrame>(sceneFor(change));
@@ -204,6 +204,8 @@ TEST(Eye, SettingsReachThePictures) {
   settings.set(*findParameter(type, 17), 10);
   feed->setSettings(0, settings);
   EXPECT_LT(brightness(1), before / 2);
+  feed->setEffects(0, {});
+  EXPECT_EQ(brightness(2), 100);  // a pinhole's, whatever is set
 }
 
 }  // namespace
