@@ -57,7 +57,9 @@ std::uint16_t startDaemon(const std::string& path, Shared& shared, pid_t& proces
     options.lola = {{"", path}};
     options.lola_camera_port = 0;
     daemon::Daemon daemon(options);
-    daemon.onCycle([&shared](std::chrono::nanoseconds late) {
+    daemon.onCycle([&](std::chrono::nanoseconds late) {
+      // What began at this time is what was published last: others than LoLA's are no frames.
+      if (daemon.state().time.time_since_epoch().count() % kCycle != 0) return;
       const std::size_t number = shared.count.load(std::memory_order_relaxed);
       shared.late_ms[number % Shared::kMost] = 1e-6F * static_cast<float>(late.count());
       shared.count.store(number + 1, std::memory_order_release);

@@ -3,7 +3,9 @@
 
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <iterator>
+#include <random>
 #include <set>
 
 #include "core/leds.h"
@@ -339,6 +341,40 @@ TEST_F(LolaCommandTest, TellsOfAKeyThatIsNotLolas) {
   LolaActuators frame = position(0);
   frame.unknown = {"Tail"};
   EXPECT_EQ(command_.take(frame), "'Tail' is no key of LoLA's: ignored");
+}
+
+// Every command that comes of whatever bytes is one that the body can be given.
+TEST_F(LolaCommandTest, NoBytesMakeAnUnsafeCommand) {
+  const Value whole = map({{"Position", numbers(25, 0.1)},
+                           {"Stiffness", numbers(25, 0.5)},
+                           {"Sonar", Value::list({true, true})}});
+  rpc::Bytes bytes;
+  packValue(bytes, whole, {});
+  std::mt19937 random(7);
+  int taken = 0;
+  for (int k = 0; k < 20000; ++k) {
+    rpc::Bytes broken = bytes;
+    for (int change = 0; change < 3; ++change) {
+      broken[random() % broken.size()] = static_cast<std::uint8_t>(random());
+    }
+    MsgpackReader reader;
+    reader.push(broken.data(), broken.size());
+    const auto frame = reader.next();
+    try {
+      if (frame) command_.take(readLolaActuators(*frame));
+      ++taken;
+    } catch (const rpc::CallError&) {
+      continue;
+    }
+    if (!command_.body()) continue;
+    for (std::size_t i = 0; i < model_->jointCount(); ++i) {
+      const double angle = command_.body()->angle[i];
+      ASSERT_TRUE(std::isnan(angle) ||
+                  (angle >= model_->actuators[i].lower && angle <= model_->actuators[i].upper));
+      ASSERT_LE(std::abs(command_.body()->stiffness[i]), 1);
+    }
+  }
+  EXPECT_GT(taken, 1000);  // it is not only refused
 }
 
 }  // namespace
