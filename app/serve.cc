@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "app/commands.h"
 #include "app/modes.h"
@@ -34,8 +35,10 @@ void printReady(daemon::Daemon& daemon, const daemon::Options& options) {
     for (const std::string& address : daemon.endpoints(i).otherAddresses()) {
       std::printf("       and at %s\n", address.c_str());
     }
+    const char* camera = "top";
     for (const std::uint16_t port : daemon.lolaCameraPorts(i)) {
-      std::printf("       and a camera for LoLA at %s:%d\n", "tcp://127.0.0.1", port);
+      std::printf("       and LoLA's %s camera at tcp://127.0.0.1:%d\n",
+                  std::exchange(camera, "bottom"), port);
     }
     if (const daemon::LolaServer* lola = daemon.lola(i)) {
       std::printf("       and LoLA at %s%s\n", lola->path().c_str(),

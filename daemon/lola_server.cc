@@ -76,7 +76,8 @@ void LolaServer::deliver() {
     postLights();
   }
   if (session_) session_->checkSilence(state->time);
-  if (drove_ && !state->driven) warn("no good frame for 500 ms: stiffness is off");
+  if (drove_ && !state->driven)
+    warn("no good frame for 500 ms, or the robot was reset: stiffness is off");
   drove_ = state->driven;
 }
 
