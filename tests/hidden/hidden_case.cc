@@ -87,7 +87,6 @@ std::string toJson(const Truth& truth) {
                     {"joints", truth.joints},
                     {"hidden", hidden},
                     {"spoilt", faultOf(truth.spoil)},
-                    {"reference_mode", truth.reference},
                     {"torque_sd", truth.torque_sd},
                     {"torque_time", truth.torque_time},
                     {"start_sd", truth.start_sd},

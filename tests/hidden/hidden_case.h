@@ -50,7 +50,6 @@ struct HiddenCase {
   Spoil spoil = Spoil::None;
   int repeats = 6;
   double seconds = 6;      // of each motion
-  bool reference = false;  // made in the reference mode, from the robot as on its drawings
   /// Recorded from the limbs that hold the joints alone: a held torso passes nothing on from limb
   /// to limb. For tests that must be quick; presets that are judged record the whole robot.
   bool limbs = false;
@@ -58,7 +57,7 @@ struct HiddenCase {
   bool isMujoco() const;     // its reality is MuJoCo
   bool isExactNull() const;  // not even undeclared differences
   /// The nominal model, of robots/.
-  std::string robot() const { return reference ? "nao_h21_v33_ideal" : "nao_h21_v33"; }
+  std::string robot() const { return "nao_h21_v33"; }
   /// 16 letters and digits that say nothing.
   std::string name() const;
 };
@@ -86,7 +85,6 @@ struct Truth {
   std::vector<std::string> joints;
   std::vector<HiddenTruth> hidden;
   Spoil spoil = Spoil::None;
-  bool reference = false;
   double torque_sd = 0, torque_time = 0, start_sd = 0;  // [N m], [s], [s]
   bool imitated = false;  // a stranger that an entry of the catalogue imitates: not to be judged
   std::string shortfall;  // why a wished size could not be reached; empty: it was

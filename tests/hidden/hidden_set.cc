@@ -76,7 +76,6 @@ class Maker {
     truth_.kind = hidden.kind;
     truth_.joints = hidden.joints;
     truth_.spoil = hidden.spoil;
-    truth_.reference = hidden.reference;
     truth_.torque_sd = random.uniform(0.02, 0.045);
     truth_.torque_time = random.uniform(0.03, 0.08);
     truth_.start_sd = random.uniform(0.0005, 0.0015);
@@ -89,7 +88,6 @@ class Maker {
     plan_.start_sd = truth_.start_sd;
     plan_.joints = hidden.joints;
     plan_.motions = motionsOf(robot, hidden.joints, hidden.seconds);
-    if (hidden.reference) plan_.mode = sim::Mode::Reference;
     const bool limbs = hidden.limbs || hidden.isMujoco();
     if (limbs) plan_ = limbOf(plan_);
     limb_ = shortened(limbs ? plan_ : limbOf(plan_));

@@ -73,7 +73,6 @@ class Dealer {
     HiddenCase& hidden = add(kind);
     const auto n = static_cast<std::size_t>(i);
     hidden.joints = i % 4 == 3 ? groups()[n / 4 % groups().size()] : places()[n % places().size()];
-    hidden.reference = i % 10 == 5 && !hidden.isMujoco();
   }
 
   void place(HiddenCase& hidden, std::size_t first) {
