@@ -159,7 +159,7 @@ void JointSearch::swap(std::size_t place, double gain, const Stage& without, con
 }
 
 // Causes that only cancel each other are each missed if they go alone: tried without several.
-void JointSearch::prune() {
+bool JointSearch::prune() {
   std::vector<LinearCause> model;
   Eigen::Index column = 0;
   for (const Chosen& one : fit_.model) {
@@ -175,29 +175,42 @@ void JointSearch::prune() {
   const Eigen::VectorXd left = stage_->white(stage_->raw());
   int tried = 0;
   for (const SmallerModel& smaller : smallerModels(model, left, kWorthTrying * critical())) {
-    if (ensemble_.spent() || tried++ == kTried) return;
-    if (keepOnly(smaller)) return;
+    if (ensemble_.spent() || tried++ == kTried) return false;
+    if (keepOnly(smaller)) return true;
   }
+  return false;
+}
+
+// The fit without the others, as its sensitivities say.
+ModelFit JointSearch::fitWithout(const SmallerModel& smaller) const {
+  std::vector<Eigen::Index> first;  // columns of the causes
+  Eigen::Index columns = 0;
+  for (const Chosen& one : fit_.model) {
+    first.push_back(columns);
+    columns += static_cast<Eigen::Index>(one.x.size());
+  }
+  ModelFit fit;
+  fit.jacobian.resize(data_.size(), smaller.numbers.size());
+  Eigen::Index next = 0;
+  for (const std::size_t place : smaller.kept) {
+    fit.model.push_back(fit_.model[place]);
+    const Cause& cause = causes_[fit.model.back().cause];
+    for (std::size_t i = 0; i < cause.free.size(); ++i, ++next) {
+      fit.jacobian.col(next) = fit_.jacobian.col(first[place] + static_cast<Eigen::Index>(i));
+      if (i == 0 && cause.beats) continue;
+      const FreeNumber& number = cause.free[i];
+      fit.model.back().x[i] = std::clamp(smaller.numbers[next], number.lower, number.upper);
+    }
+  }
+  return fit;
 }
 
 // Whether nothing is to be found beside these causes either: then the others are none.
 bool JointSearch::keepOnly(const SmallerModel& smaller) {
-  CauseList model;
-  Eigen::Index next = 0;
-  for (const std::size_t place : smaller.kept) {
-    model.push_back(fit_.model[place]);
-    const Cause& cause = causes_[model.back().cause];
-    for (std::size_t i = 0; i < cause.free.size(); ++i, ++next) {
-      const FreeNumber& number = cause.free[i];
-      if (i == 0 && cause.beats) continue;
-      model.back().x[i] = std::clamp(smaller.numbers[next], number.lower, number.upper);
-    }
-  }
   const ModelFit whole_fit = fit_;
   const NullRecord whole_nulls = nulls_;
-  ModelFit fit = fitFully(ensemble_, data_, *stage_, causes_, model, effort_);
   auto whole = std::make_unique<Stage>(*stage_);
-  enterModel(fit);
+  enterModel(fitWithout(smaller));
   if (stage_->largestGain(stage_->white(stage_->raw())) > critical()) {
     stage_ = std::move(whole);
     fit_ = whole_fit;

@@ -258,8 +258,8 @@ JointVerdict JointSearch::conclude(const NullRecord& others) {
     }
     if (!review()) break;
   }
-  prune();
   refine();
+  if (prune()) refine();
   rejectTheRest();
   JointVerdict verdict;
   describe(verdict);

@@ -93,7 +93,8 @@ class JointSearch {
   double floor() const;
   bool review();
   bool reviewOne(std::size_t place);
-  void prune();
+  bool prune();
+  ModelFit fitWithout(const SmallerModel& smaller) const;
   bool keepOnly(const SmallerModel& smaller);
   void refine();
   void setRivals(std::size_t place, const std::vector<Candidate>& ranking);
