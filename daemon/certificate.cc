@@ -37,7 +37,7 @@ Certificate sign(EVP_PKEY* key) {
   need(made != nullptr, "making a certificate");
   unsigned char serial[8];
   need(RAND_bytes(serial, sizeof serial) == 1, "drawing a serial number");
-  serial[0] &= 0x7f;
+  serial[0] = (serial[0] & 0x7f) | 0x40;  // DER knows neither a sign nor a leading zero here
   ASN1_INTEGER* number = X509_get_serialNumber(made.get());
   need(ASN1_STRING_set(number, serial, sizeof serial) == 1, "setting the serial number");
   X509_set_version(made.get(), 2);
