@@ -15,7 +15,7 @@ def medians(folder):
             if run.get("error_occurred"):
                 sys.exit(f"bench: {run['name']}: {run['error_message']}")
             if run.get("aggregate_name") == "median":
-                found[run["run_name"]] = run
+                found[run["run_name"].split("/min_time:")[0]] = run
     return found
 
 
@@ -86,7 +86,7 @@ def wire_figures(bench):
 
 def lola_figures(bench):
     """How late LoLA's frames are sent at 1x, and a bare sleep in turn: as bench/lola_bench prints."""
-    return json.loads(bench.read_text())
+    return json.loads(bench.read_text().splitlines()[-1])  # after what was logged
 
 
 def snapshot_figures(runs):
