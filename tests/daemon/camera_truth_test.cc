@@ -14,18 +14,10 @@ namespace {
 
 using rpc::Value;
 
-Options withRedBall() {
-  Options options = optionsFor({{"nao", "nao_h25_v50", {}}});
-  options.world = NAO_SOURCE_DIR "/worlds/red_ball.yaml";
-  return options;
-}
-
 class CameraTruthTest : public testing::Test {
  protected:
   Value call(const std::string& method, std::vector<Value> arguments, const std::string& returns) {
-    const std::uint32_t id = client_.service("UsarSim");
-    const wire::Address address{id, 1, client_.method(id, method)};
-    return client_.answer(client_.call(address, Value::tuple(std::move(arguments))), returns);
+    return client_.result("UsarSim", method, std::move(arguments), returns);
   }
 
   Running running_{withRedBall()};

@@ -13,9 +13,7 @@
 
 #include "core/check.h"
 #include "daemon/daemon.h"
-#include "tests/core/temporary_folder.h"
-#include "tests/daemon/lola_client.h"
-#include "tests/daemon/running_daemon.h"
+#include "tests/daemon/lola_daemon.h"
 #include "tests/daemon/tcp_client.h"
 
 namespace nao::daemon {
@@ -26,56 +24,6 @@ using std::chrono_literals::operator""ms;
 
 constexpr int kHoldCycles =
     42;  // whole cycles of 12 ms in the 500 ms that a command holds, and one
-
-/// A daemon that can be ended to see how far it came.
-class LolaDaemon {
- public:
-  explicit LolaDaemon(const Options& options)
-      : daemon_(options), thread_([this] { daemon_.run(); }) {}
-  ~LolaDaemon() { stop(); }
-  LoopState stop() {
-    daemon_.stop();
-    if (thread_.joinable()) thread_.join();
-    return daemon_.state();
-  }
-  /// Waits until it is this late there.
-  void awaitTime(SimTime time) const {
-    while (daemon_.state().time < time) std::this_thread::yield();
-  }
-  std::uint16_t port(std::size_t robot = 0) const { return daemon_.port(robot); }
-  const RobotModel& model() { return daemon_.robotModel(0); }
-
- private:
-  Daemon daemon_;
-  std::thread thread_;
-};
-
-class LolaServerTest : public testing::Test {
- protected:
-  static constexpr double kPatience = 60;  // [s] of the wall: no client of these tests is so slow
-
-  Options lockstep() const {
-    Options options = optionsFor({});
-    options.lola = {{"", path_}};
-    options.lola_lockstep = kPatience;
-    return options;
-  }
-  Options freeRunning() const {
-    Options options = lockstep();
-    options.lola_lockstep.reset();
-    return options;
-  }
-
-  TemporaryFolder folder_;
-  std::string path_ = folder_.path() + "/robocup";
-};
-
-LolaClient::Map drive(float head_yaw, float stiffness = 1) {
-  std::vector<Value> position(25, Value(0.0F));
-  position[0] = head_yaw;
-  return {{"Position", Value::list(std::move(position))},
-          {"Stiffness", LolaClient::list(stiffness)}};
-}
 
 TEST_F(LolaServerTest, OneFrameEveryTwelveMillisecondsOfSimulatedTime) {
   LolaDaemon daemon(lockstep());
@@ -274,91 +222,6 @@ TEST_F(LolaServerTest, BytesThatAreNoMessagePackCloseTheirSender) {
   std::string rest = client.receiveBytes();
   while (!rest.empty()) rest = client.receiveBytes();
   LolaClient(path_).receive();
-}
-
-// --- Who drives ---
-
-class LolaAndQiTest : public LolaServerTest {
- protected:
-  Value call(TcpClient& qi, const std::string& service, const std::string& method,
-             std::vector<Value> arguments, const std::string& returns) {
-    const std::uint32_t id = qi.service(service);
-    const wire::Address address{id, 1, qi.method(id, method)};
-    return qi.answer(qi.call(address, Value::tuple(std::move(arguments))), returns);
-  }
-};
-
-/// Answers every frame with the same, in lockstep: however slow the machine is, it drives.
-class Program {
- public:
-  explicit Program(const std::string& path) : client_(path), thread_([this] { run(); }) {}
-  ~Program() { end(); }
-  void end() {
-    ends_ = true;
-    if (thread_.joinable()) thread_.join();
-    client_.close();
-  }
-
- private:
-  void run() {
-    while (!ends_) {
-      if (client_.receiveBytes().size() != 896) return;
-      client_.send(drive(0.5F, 0.5F));
-    }
-  }
-
-  LolaClient client_;
-  std::atomic<bool> ends_{false};
-  std::thread thread_;
-};
-
-TEST_F(LolaAndQiTest, LolaDrivesAndQiSeesIt) {
-  LolaDaemon daemon(lockstep());
-  Program lola(path_);
-  TcpClient qi(daemon.port());
-  const auto floatOf = [&](const char* method, const Value& arguments) {
-    const std::uint32_t motion = qi.service("ALMotion");
-    const wire::Address address{motion, 1, qi.method(motion, method)};
-    return qi.answer(qi.call(address, arguments), "[f]").to<std::vector<float>>().at(0);
-  };
-  const auto stiffness = [&] {
-    return floatOf("getStiffnesses", Value::tuple("(m)", {"HeadYaw"}));
-  };
-  for (int k = 0; k < 10000 && stiffness() != 0.5F; ++k) {
-  }
-  EXPECT_EQ(stiffness(), 0.5F);
-  EXPECT_EQ(floatOf("getAngles", Value::tuple("(mb)", {"HeadYaw", false})), 0.5F);
-  // Motions fail with a reason, and nothing of them reaches the body.
-  EXPECT_NE(call(qi, "ALMotion", "wakeUp", {}, "v").print().find("a LoLA client drives"),
-            std::string::npos);
-  EXPECT_EQ(stiffness(), 0.5F);
-  lola.end();
-  // It is gone: half a second later ALMotion drives.
-  for (int k = 0; k < 10000 && stiffness() != 0; ++k) {
-  }
-  EXPECT_EQ(call(qi, "ALMotion", "wakeUp", {}, "v"), Value());
-  EXPECT_GT(stiffness(), 0);
-}
-
-TEST_F(LolaAndQiTest, AClientThatOnlyListensLeavesTheBodyToQi) {
-  LolaDaemon daemon(freeRunning());
-  LolaClient lola(path_);
-  lola.receive();
-  TcpClient qi(daemon.port());
-  EXPECT_EQ(call(qi, "ALMotion", "wakeUp", {}, "v"), Value());
-  lola.receive();
-  lola.send({{"Chest", LolaClient::list(1, 3)}});  // lights are anybody's
-  double stiffness = 0;
-  for (int k = 0; k < 100; ++k) stiffness = LolaClient::at(lola.receive(), "Stiffness", 0);
-  EXPECT_GT(stiffness, 0);
-  double red = 0;
-  for (int k = 0; k < 10000 && red != 1; ++k) {
-    red = call(qi, "ALMemory", "getData",
-               {"Device/SubDeviceList/ChestBoard/Led/Red/Actuator/Value"}, "m")
-              .findNumber()
-              .value();
-  }
-  EXPECT_EQ(red, 1);
 }
 
 // --- The socket ---

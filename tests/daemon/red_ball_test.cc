@@ -12,21 +12,12 @@ namespace {
 
 using rpc::Value;
 
-Options withRedBall() {
-  Options options = optionsFor({{"nao", "nao_h25_v50", {}}});
-  options.world = NAO_SOURCE_DIR "/worlds/red_ball.yaml";
-  return options;
-}
-
 class RedBallTest : public testing::Test {
  protected:
   Value call(const std::string& service, const std::string& method, std::vector<Value> arguments,
              const std::string& returns) {
-    const std::uint32_t id = client_.service(service);
-    const Address address{id, 1, client_.method(id, method)};
-    return client_.answer(client_.call(address, Value::tuple(std::move(arguments))), returns);
+    return client_.result(service, method, std::move(arguments), returns);
   }
-  using Address = wire::Address;
   double simulatedTime() { return *call("UsarSim", "time", {}, "d").find<double>(); }
 
   Running running_{withRedBall()};

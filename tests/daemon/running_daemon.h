@@ -21,6 +21,13 @@ inline Options optionsFor(std::vector<RobotOption> robots) {
   return options;
 }
 
+/// One Nao and a red ball before it.
+inline Options withRedBall() {
+  Options options = optionsFor({{"nao", "nao_h25_v50", {}}});
+  options.world = NAO_SOURCE_DIR "/worlds/red_ball.yaml";
+  return options;
+}
+
 inline Options optionsForOne() { return optionsFor({{"nao", "nao_h21_v33", {}}}); }
 
 /// A daemon that runs until the end of the test.

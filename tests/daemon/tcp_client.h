@@ -12,6 +12,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "naoqi_api/services/service_info.h"
@@ -91,6 +92,14 @@ class TcpClient {
       if (*method.findItems()->at(2).findText() == name) return *uid.find<std::uint32_t>();
     }
     throw std::runtime_error("there is no method " + name);
+  }
+
+  /// What a service's method returns, read as `signature`.
+  rpc::Value result(const std::string& service, const std::string& method,
+                    std::vector<rpc::Value> arguments, const std::string& signature) {
+    const std::uint32_t id = this->service(service);
+    const wire::Address address{id, 1, this->method(id, method)};
+    return answer(call(address, rpc::Value::tuple(std::move(arguments))), signature);
   }
 
   void shutDown() { socket_.close(); }
