@@ -223,7 +223,7 @@ bool JointSearch::keepOnly(const SmallerModel& smaller) {
     drop(place, accepted_[place].gain, "no longer needed beside the others");
   }
   std::size_t place = 0;
-  for (std::size_t left = accepted_.size(); left > 0; --left) {
+  for (std::size_t left = accepted_.size(); left > 0 && !ensemble_.spent(); --left) {
     if (!reviewOne(place)) ++place;
   }
   return true;

@@ -217,24 +217,27 @@ void JointSearch::reject(std::size_t cause, double gain, const std::string& reas
   rejected_.push_back({causes_[cause].id, gain, reason});
 }
 
-// Whether a candidate may be named; if not, says why.
-bool JointSearch::isViable(const Candidate& candidate) {
-  if (dropped_.count(candidate.cause) > 0) return false;
-  const std::string reason = objection(
-      *stage_, candidate, crossValidate(data_, *stage_, candidate.fit, candidate.x.size()));
-  if (!reason.empty()) reject(candidate.cause, candidate.gain, reason);
-  return reason.empty();
+// How a candidate that may be named predicts what it was not fitted to; of others it notes why not.
+std::optional<CrossValidation> JointSearch::validated(const Candidate& candidate) {
+  if (dropped_.count(candidate.cause) > 0) return std::nullopt;
+  const CrossValidation validation =
+      crossValidate(data_, *stage_, candidate.fit, candidate.x.size());
+  const std::string reason = objection(*stage_, candidate, validation);
+  if (reason.empty()) return validation;
+  reject(candidate.cause, candidate.gain, reason);
+  return std::nullopt;
 }
 
 bool JointSearch::accept(std::vector<Candidate> ranking) {
   weigh(*stage_, ranking);
   for (const Candidate& candidate : ranking) {
     if (candidate.gain <= critical() || !candidate.full) return false;
-    if (!isViable(candidate)) continue;
+    const std::optional<CrossValidation> validation = validated(candidate);
+    if (!validation) continue;
     accepted_.push_back({candidate.cause,
                          candidate.gain,
                          shareOf(*stage_, candidate.gain),
-                         crossValidate(data_, *stage_, candidate.fit, candidate.x.size()),
+                         *validation,
                          isSmall(candidate),
                          {}});
     setRivals(accepted_.size() - 1, ranking);

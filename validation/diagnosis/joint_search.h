@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -82,7 +83,7 @@ class JointSearch {
             const std::vector<Candidate>& ranking);
   bool step();
   bool accept(std::vector<Candidate> ranking);
-  bool isViable(const Candidate& candidate);
+  std::optional<CrossValidation> validated(const Candidate& candidate);
   void weigh(const Stage& stage, std::vector<Candidate>& ranking);
   double leftBy(const Stage& stage, ModelFit& fit);
   double reachOf(const Candidate& best, const Candidate& other) const;
