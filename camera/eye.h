@@ -21,6 +21,9 @@ class Eye {
 
   const Sensor& sensor() const { return sensor_; }
 
+  /// From now on as one that has come as far as that.
+  void restore(const Adaptation& state) { sensor_.restore(state); }
+
  private:
   Turning turningOf(const SceneFrame& scene, CameraPlace place, const View& view) const;
 

@@ -20,21 +20,6 @@ Image makeImage(const Raster& raster, const ImageRequest& request, SimTime time)
           std::make_shared<const Bytes>(toBytes(raster, request.color_space))};
 }
 
-/// Shows one raster in the windows of all that asked for this view; they share bytes where their
-/// colour spaces agree.
-void publish(const Raster& raster, const std::vector<Subscription>& due, const ImageRequest& view,
-             SimTime time) {
-  std::map<ColorSpace, std::shared_ptr<const Image>> images;
-  for (const Subscription& subscription : due) {
-    if (!sameView(subscription.request, view)) continue;
-    auto& image = images[subscription.request.color_space];
-    if (!image) {
-      image = std::make_shared<const Image>(makeImage(raster, subscription.request, time));
-    }
-    subscription.window->publish(image);
-  }
-}
-
 }  // namespace
 
 std::int64_t pictureNumber(SimTime now, int frame_rate) {
@@ -58,6 +43,7 @@ bool RenderQueue::anyDue(SimTime now) {
     held_.clear();
   }
   now_ = now;
+  handOver();
   for (; !held_.empty() && held_.front().first <= now; held_.pop_front())
     post(std::move(held_.front().second));
   if (started_over || table != table_) {
@@ -99,34 +85,101 @@ bool RenderQueue::offer(std::shared_ptr<const SceneFrame> scene, std::size_t rob
     job.scene = scene;
     job.robot = robot;
     job.controls = feed_->controls();
+    auto ready = std::make_shared<const Job>(std::move(job));
     if (latency > Duration::zero()) {
-      hold(now_ + latency, std::move(job));
+      hold(now_ + latency, std::move(ready));
     } else {
-      all &= post(std::move(job));
+      all &= post(std::move(ready));
     }
   }
   return all;
 }
 
-void RenderQueue::hold(SimTime until, Job job) {
+void RenderQueue::hold(SimTime until, JobPointer job) {
   const auto later = std::find_if(held_.begin(), held_.end(),
                                   [&](const auto& other) { return other.first > until; });
   held_.insert(later, {until, std::move(job)});
 }
 
-bool RenderQueue::post(Job job) {
-  const auto images = static_cast<std::int64_t>(job.due.size());
-  if (pendingJobs() >= capacity_ || !jobs_.post(std::move(job))) {
-    dropped_.publish(droppedImages() + images);
+bool RenderQueue::post(JobPointer job) {
+  if (pendingJobs() >= capacity_) {
+    dropped_.publish(droppedImages() + static_cast<std::int64_t>(job->due.size()));
     return false;
   }
+  under_way_.push_back(std::move(job));
   ++offered_jobs_;
+  ++to_hand_over_;
+  handOver();
   return true;
 }
 
-std::size_t RenderQueue::pendingJobs() const {
-  const auto finished = finished_.get();
-  return static_cast<std::size_t>(offered_jobs_ - (finished ? *finished : 0));
+void RenderQueue::handOver() {
+  while (to_hand_over_ > 0 && jobs_.post(under_way_[under_way_.size() - to_hand_over_]))
+    --to_hand_over_;
+}
+
+std::size_t RenderQueue::pendingJobs() {
+  handOver();
+  const auto drawn = drawn_.get();
+  const auto pending = static_cast<std::size_t>(offered_jobs_ - (drawn ? drawn->jobs : 0));
+  while (under_way_.size() > pending) under_way_.pop_front();
+  return pending;
+}
+
+std::shared_ptr<const RenderQueue::Moment> RenderQueue::moment() const {
+  auto moment = std::make_shared<Moment>();
+  moment->feed = feed_;
+  moment->drawn = drawn_.get();
+  const auto pending = offered_jobs_ - (moment->drawn ? moment->drawn->jobs : 0);
+  moment->under_way.assign(under_way_.end() - pending, under_way_.end());
+  moment->taken = taken_;
+  moment->held = held_;
+  return moment;
+}
+
+RenderQueue::JobPointer RenderQueue::startOf(const Moment& moment) const {
+  Job job;
+  job.start = moment.drawn ? moment.drawn : std::make_shared<const Drawn>();
+  return mine(std::make_shared<const Job>(std::move(job)), moment);
+}
+
+/// A moment's job in this queue. Pictures for another feed are drawn, as automatic exposure has
+/// seen them, but nobody gets them.
+RenderQueue::JobPointer RenderQueue::mine(const JobPointer& job, const Moment& moment) const {
+  if (moment.feed == feed_) return job;
+  Job copy = *job;
+  for (Subscription& subscription : copy.due) {
+    subscription.id = 0;
+    subscription.window = std::make_shared<Latest<Image>>();
+  }
+  if (copy.start) {
+    auto start = std::make_shared<Drawn>(*copy.start);
+    start->last.clear();
+    copy.start = start;
+  }
+  return std::make_shared<const Job>(std::move(copy));
+}
+
+void RenderQueue::restore(const std::shared_ptr<const Moment>& moment) {
+  const Moment start;
+  const Moment& to = moment ? *moment : start;
+  // What the camera thread has not taken yet belongs to another time.
+  under_way_.erase(under_way_.end() - static_cast<std::ptrdiff_t>(to_hand_over_), under_way_.end());
+  offered_jobs_ -= static_cast<std::int64_t>(std::exchange(to_hand_over_, 0));
+  std::vector<JobPointer> jobs = {startOf(to)};
+  for (const JobPointer& job : to.under_way) jobs.push_back(mine(job, to));
+  under_way_.insert(under_way_.end(), jobs.begin(), jobs.end());
+  offered_jobs_ += static_cast<std::int64_t>(jobs.size());
+  to_hand_over_ = jobs.size();
+  handOver();
+  // At once, too: who asks now sees no picture of a time that has not come.
+  showAgain(*jobs.front()->start);
+  held_.clear();
+  for (const auto& [until, job] : to.held) held_.emplace_back(until, mine(job, to));
+  taken_ = to.feed == feed_ ? to.taken : std::map<std::uint64_t, std::int64_t>{};
+  table_ = nullptr;
+  now_ = SimTime::min();
+  next_due_ = SimTime::max();
 }
 
 Eye& RenderQueue::eyeOf(const Job& job, int camera) {
@@ -134,7 +187,10 @@ Eye& RenderQueue::eyeOf(const Job& job, int camera) {
   if (found != eyes_.end()) return found->second;
   const auto index = static_cast<std::size_t>(camera);
   const std::uint64_t seed = job.robot * 1000 + index;  // every eye has noise of its own
-  return eyes_.try_emplace(camera, *job.scene->robots[job.robot].model, index, seed).first->second;
+  const RobotModel& model = *job.scene->robots[job.robot].model;
+  Eye& eye = eyes_.try_emplace(camera, model, index, seed).first->second;
+  eye.restore(so_far_.eyes[camera]);
+  return eye;
 }
 
 std::int64_t RenderQueue::droppedImages() const {
@@ -144,11 +200,21 @@ std::int64_t RenderQueue::droppedImages() const {
 
 bool RenderQueue::renderNext(Renderer& renderer) {
   if (waiting_.empty()) {
-    for (Job& job : jobs_.drain()) waiting_.push_back(std::move(job));
+    for (JobPointer& job : jobs_.drain()) waiting_.push_back(std::move(job));
   }
   if (waiting_.empty()) return false;
-  const Job job = std::move(waiting_.front());
+  const JobPointer job = std::move(waiting_.front());
   waiting_.pop_front();
+  if (job->start) {
+    goBackTo(*job->start);
+  } else {
+    draw(*job, renderer);
+  }
+  tellDrawn();
+  return true;
+}
+
+void RenderQueue::draw(const Job& job, Renderer& renderer) {
   for (auto first = job.due.begin(); first != job.due.end(); ++first) {
     const auto same = [&](const Subscription& s) { return sameView(s.request, first->request); };
     if (std::any_of(job.due.begin(), first, same)) continue;  // drawn with an earlier one
@@ -157,12 +223,56 @@ bool RenderQueue::renderNext(Renderer& renderer) {
     const CameraControl control = is_set ? (*job.controls)[place.camera] : CameraControl{};
     Eye& eye = eyeOf(job, first->request.camera);
     if (control.effects) eye.use(*control.effects);
-    const Raster& raster =
-        eye.look(*job.scene, place, first->request.size, control.settings, renderer);
-    publish(raster, job.due, first->request, job.scene->time);
+    publish(eye.look(*job.scene, place, first->request.size, control.settings, renderer), job,
+            first->request);
+    so_far_.eyes[first->request.camera] = eye.sensor().state();
   }
-  finished_.publish(++finished_jobs_);
-  return true;
+}
+
+/// Shows one raster in the windows of all that asked for this view; they share bytes where their
+/// colour spaces agree.
+void RenderQueue::publish(const Raster& raster, const Job& job, const ImageRequest& view) {
+  std::map<ColorSpace, std::shared_ptr<const Image>> images;
+  for (const Subscription& subscription : job.due) {
+    if (!sameView(subscription.request, view)) continue;
+    auto& image = images[subscription.request.color_space];
+    if (!image) {
+      image =
+          std::make_shared<const Image>(makeImage(raster, subscription.request, job.scene->time));
+    }
+    subscription.window->publish(image);
+    so_far_.last[subscription.id] = image;
+  }
+}
+
+void RenderQueue::goBackTo(const Drawn& start) {
+  eyes_.clear();
+  so_far_.eyes = start.eyes;
+  for (const auto& [subscription, image] : start.last) so_far_.last[subscription] = image;
+  showAgain(start);
+}
+
+void RenderQueue::showAgain(const Drawn& start) const {
+  const auto table = feed_->subscriptions();
+  if (!table) return;
+  for (const Subscription& subscription : *table) {
+    const auto shown = start.last.find(subscription.id);
+    if (shown != start.last.end()) subscription.window->publish(shown->second);
+  }
+}
+
+/// Pictures of those who have left are forgotten.
+void RenderQueue::tellDrawn() {
+  ++so_far_.jobs;
+  std::map<std::uint64_t, std::shared_ptr<const Image>> last;
+  if (const auto table = feed_->subscriptions()) {
+    for (const Subscription& subscription : *table) {
+      const auto shown = so_far_.last.find(subscription.id);
+      if (shown != so_far_.last.end()) last.insert(*shown);
+    }
+  }
+  so_far_.last = std::move(last);
+  drawn_.publish(so_far_);
 }
 
 }  // namespace nao::camera

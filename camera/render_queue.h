@@ -36,7 +36,17 @@ class RenderQueue {
   bool offer(std::shared_ptr<const SceneFrame> scene, std::size_t robot);
 
   /// Instants offered and not yet drawn.
-  std::size_t pendingJobs() const;
+  std::size_t pendingJobs();
+
+  /// The pictures of a moment of simulated time: what the cameras have adapted to, what was shown
+  /// last, what is due next and what is still being drawn.
+  class Moment;
+  std::shared_ptr<const Moment> moment() const;
+
+  /// Goes on from a moment of this queue, or of one for a robot and cameras made alike, with the
+  /// pictures that followed it. Who subscribed since, or to the other queue, gets a first picture
+  /// at once. Null: from the start.
+  void restore(const std::shared_ptr<const Moment>& moment);
 
   /// Those that found the queue full, so far. Any thread.
   std::int64_t droppedImages() const;
@@ -48,36 +58,64 @@ class RenderQueue {
   bool renderNext(Renderer& renderer);
 
  private:
+  /// What the camera thread has come to.
+  struct Drawn {
+    std::int64_t jobs = 0;                                       // finished, ever
+    std::map<int, Adaptation> eyes;                              // by camera
+    std::map<std::uint64_t, std::shared_ptr<const Image>> last;  // by subscription
+  };
   struct Job {
-    std::shared_ptr<const SceneFrame> scene;
+    std::shared_ptr<const SceneFrame> scene;  // null: nothing to draw, go back to `start`
     std::size_t robot = 0;
     std::vector<Subscription> due;
     std::shared_ptr<const std::vector<CameraControl>> controls;
+    std::shared_ptr<const Drawn> start;
   };
+  using JobPointer = std::shared_ptr<const Job>;
+  using Held = std::deque<std::pair<SimTime, JobPointer>>;
 
   void findNextDue();
-  void hold(SimTime until, Job job);
-  bool post(Job job);
+  void hold(SimTime until, JobPointer job);
+  bool post(JobPointer job);
+  void handOver();
+  JobPointer startOf(const Moment& moment) const;
+  JobPointer mine(const JobPointer& job, const Moment& moment) const;
+  void draw(const Job& job, Renderer& renderer);
+  void publish(const Raster& raster, const Job& job, const ImageRequest& view);
+  void goBackTo(const Drawn& start);
+  void showAgain(const Drawn& start) const;
+  void tellDrawn();
   Eye& eyeOf(const Job& job, int camera);
 
   const std::shared_ptr<const ImageFeed> feed_;
   const std::size_t capacity_;
-  Mailbox<Job> jobs_;
-  Latest<std::int64_t> finished_;  // jobs, ever
-  Latest<std::int64_t> dropped_;   // images, ever
+  Mailbox<JobPointer> jobs_;
+  Latest<Drawn> drawn_;
+  Latest<std::int64_t> dropped_;  // images, ever
 
   // Of the simulation thread.
   std::shared_ptr<const std::vector<Subscription>> table_;
   std::map<std::uint64_t, std::int64_t> taken_;  // by subscription: k of the last picture
   SimTime now_ = SimTime::min();
   SimTime next_due_ = SimTime::max();
-  std::deque<std::pair<SimTime, Job>> held_;  // until the latency of their camera has passed
+  Held held_;                         // until the latency of their camera has passed
+  std::deque<JobPointer> under_way_;  // the newest offered, among them all that are not finished
+  std::size_t to_hand_over_ = 0;      // the last ones of these: not yet in the mailbox
   std::int64_t offered_jobs_ = 0;
 
   // Of the camera thread.
-  std::deque<Job> waiting_;
+  std::deque<JobPointer> waiting_;
   std::map<int, Eye> eyes_;  // by camera
-  std::int64_t finished_jobs_ = 0;
+  Drawn so_far_;
+};
+
+class RenderQueue::Moment {
+  friend class RenderQueue;
+  std::shared_ptr<const ImageFeed> feed;  // whose subscriptions are meant
+  std::shared_ptr<const Drawn> drawn;     // null: nothing yet
+  std::vector<JobPointer> under_way;
+  std::map<std::uint64_t, std::int64_t> taken;
+  Held held;
 };
 
 /// The number k of the latest picture due at `now`: the largest with k / frame_rate <= now.

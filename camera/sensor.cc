@@ -173,27 +173,29 @@ void Sensor::adapt(const Raster& picture, const CameraSettings& settings, double
                    SimTime time) {
   const double unit = type_.neutral_exposure;
   if (settings.get(type_, Parameter::kAutoExposure) == 0) {
-    exposure_ = settings.get(type_, Parameter::kExposure) * type_.exposure_unit;
-    gain_ = settings.get(type_, Parameter::kGain) / type_.unit_gain;
-    signal_ = exposure_ / unit * gain_;
-    adapted_.reset();
-    brightness_ = meter(picture);
+    state_.exposure = settings.get(type_, Parameter::kExposure) * type_.exposure_unit;
+    state_.gain = settings.get(type_, Parameter::kGain) / type_.unit_gain;
+    state_.signal = state_.exposure / unit * state_.gain;
+    state_.looked.reset();
+    state_.brightness = meter(picture);
     return;
   }
-  if (adapted_ && *adapted_ == time) return;  // another size of the same instant
-  brightness_ = meter(picture);
+  if (state_.looked && *state_.looked == time) return;  // another size of the same instant
+  state_.brightness = meter(picture);
   const ParameterRange& wish = *findParameter(type_, static_cast<int>(Parameter::kBrightness));
   const double part =
       static_cast<double>(settings.get(wish) - wish.min) / (wish.initial - wish.min);
-  const double ratio = type_.metered * part / std::max(brightness_, 1);
+  const double ratio = type_.metered * part / std::max(state_.brightness, 1);
   const double goal = std::clamp(ratio * ratio / light, type_.exposure_unit / unit,
                                  type_.longest_exposure / unit * type_.largest_gain);
-  const double passed = adapted_ ? toSeconds(time - *adapted_) : -1;
+  const double passed = state_.looked ? toSeconds(time - *state_.looked) : -1;
   // The first picture, or one before the last: as if it had long looked.
-  signal_ = passed < 0 ? goal : signal_ + (goal - signal_) * (passed / (passed + kAdaptation));
-  adapted_ = time;
-  exposure_ = std::min(signal_ * unit, type_.longest_exposure);
-  gain_ = std::max(signal_ * unit / exposure_, 1.0);
+  state_.signal = passed < 0
+                      ? goal
+                      : state_.signal + (goal - state_.signal) * (passed / (passed + kAdaptation));
+  state_.looked = time;
+  state_.exposure = std::min(state_.signal * unit, type_.longest_exposure);
+  state_.gain = std::max(state_.signal * unit / state_.exposure, 1.0);
 }
 
 Sensor::Response Sensor::responseFor(ImageSize size, const CameraSettings& settings,
@@ -201,7 +203,7 @@ Sensor::Response Sensor::responseFor(ImageSize size, const CameraSettings& setti
   Response response;
   const auto value = [&](Parameter parameter) { return settings.get(type_, parameter); };
   // Pictures are as bright as the root of the light is strong (gamma 2).
-  const double factor = effects_.response ? std::sqrt(signal_ * light) : 1;
+  const double factor = effects_.response ? std::sqrt(state_.signal * light) : 1;
   std::array<double, 3> balance = {1, 1, 1};
   if (effects_.response) {
     balance = type_.cast;
@@ -225,8 +227,8 @@ Sensor::Response Sensor::responseFor(ImageSize size, const CameraSettings& setti
   for (std::size_t c = 0; c < 3; ++c) response.channel[c] = clampTo16(4096 * factor * balance[c]);
   if (effects_.noise) {
     const double averaged = std::sqrt(static_cast<double>(size.width) * size.height / type_.pixels);
-    const double deviation =
-        255 / type_.signal_to_noise * std::sqrt(gain_) * std::clamp(averaged, kMostAveraged, 1.0);
+    const double deviation = 255 / type_.signal_to_noise * std::sqrt(state_.gain) *
+                             std::clamp(averaged, kMostAveraged, 1.0);
     response.noise = static_cast<int>(16 * deviation + 0.5);
   }
   return response;

@@ -10,6 +10,15 @@
 
 namespace nao::camera {
 
+/// How far automatic exposure has come, and what the last picture was taken with.
+struct Adaptation {
+  std::optional<SimTime> looked;  // when automatic exposure last looked
+  double signal = 1;              // what it has come to
+  double exposure = 0;            // [s]
+  double gain = 1;
+  int brightness = 0;  // mean that was metered, 0 to 255
+};
+
 /// Light and colour as a camera of a robot takes them in: exposure, gain and white balance, set or
 /// automatic, the fall-off to the corners, noise. It keeps how far automatic exposure has come, by
 /// simulated time; the same scenes at the same times give the same pictures. Whole numbers
@@ -26,9 +35,13 @@ class Sensor {
   void use(const CameraEffects& effects);
 
   /// Of the last picture, for its readers.
-  double exposure() const { return exposure_; }  // [s]
-  double gain() const { return gain_; }
-  int brightness() const { return brightness_; }  // mean that was metered, 0 to 255
+  double exposure() const { return state_.exposure; }  // [s]
+  double gain() const { return state_.gain; }
+  int brightness() const { return state_.brightness; }  // mean that was metered, 0 to 255
+
+  /// All that goes on from picture to picture.
+  const Adaptation& state() const { return state_; }
+  void restore(const Adaptation& state) { state_ = state; }
 
  private:
   /// What happens to every pixel.
@@ -51,11 +64,7 @@ class Sensor {
   CameraEffects effects_;
   std::uint64_t seed_;
 
-  std::optional<SimTime> adapted_;  // when automatic exposure last looked
-  double signal_ = 1;               // what it has come to
-  double exposure_ = 0;             // [s]
-  double gain_ = 1;
-  int brightness_ = 0;
+  Adaptation state_;
 
   ImageSize fall_off_size_;
   std::vector<std::uint16_t> column_loss_;  // by byte of a row, in 1/65536

@@ -68,6 +68,7 @@ std::shared_ptr<const Simulation::Snapshot> Simulation::snapshot() const {
   snapshot->world = world_.snapshot();
   snapshot->robots.reserve(robots_.size());
   for (const auto& robot : robots_) snapshot->robots.push_back(robot->snapshot());
+  for (const Eyes& eyes : eyes_) snapshot->pictures.push_back(eyes.queue->moment());
   return snapshot;
 }
 
@@ -75,7 +76,15 @@ void Simulation::restore(const Snapshot& snapshot) {
   NAO_CHECK(snapshot.robots.size() == robots_.size());
   world_.restore(*snapshot.world);
   for (std::size_t i = 0; i < robots_.size(); ++i) robots_[i]->restore(snapshot.robots[i]);
+  for (std::size_t i = 0; i < eyes_.size(); ++i)
+    eyes_[i].queue->restore(i < snapshot.pictures.size() ? snapshot.pictures[i] : nullptr);
   truth_.publish(world_.scene());
+}
+
+void Simulation::reset() {
+  world_.reset();
+  for (auto& robot : robots_) robot->restart();
+  for (Eyes& eyes : eyes_) eyes.queue->restore(nullptr);
 }
 
 std::uint64_t Simulation::hash() const {
@@ -125,10 +134,7 @@ void Simulation::apply(const WorldRequest& request) {
                           checkIndex(r.ball, world_.model().balls.size(), "ball");
                           world_.placeBall(r.ball, r.p_W, r.v_W);
                         },
-                        [this](const ResetWorld&) {
-                          world_.reset();
-                          for (auto& robot : robots_) robot->restart();
-                        },
+                        [this](const ResetWorld&) { reset(); },
                         [this](const TakeSnapshot& r) { keepSnapshot(r.name); },
                         [this](const RestoreSnapshot& r) { restore(*findSnapshot(r.name)); },
                         [this](const DropSnapshot& r) {

@@ -38,15 +38,18 @@ class Simulation {
   /// Takes requests over without moving time, as while paused.
   void acceptRequests();
 
-  /// A complete state, motions and walk included. Immutable; any thread may keep or drop it.
+  /// A complete state, motions, walk and cameras included. Immutable; any thread may keep or drop
+  /// it.
   struct Snapshot {
     std::shared_ptr<const sim::World::Snapshot> world;
     std::vector<Robot::Snapshot> robots;
+    std::vector<std::shared_ptr<const camera::RenderQueue::Moment>> pictures;  // by showTo()
   };
   std::shared_ptr<const Snapshot> snapshot() const;
 
   /// Goes back to a state of this simulation or of one made alike, time too, and goes on from there
-  /// to the last bit as that one did. Requests that have not ended fail; pictures under way stay.
+  /// to the last bit as that one did. Requests that have not ended fail; clients see again the
+  /// pictures of that moment.
   void restore(const Snapshot& snapshot);
 
   /// A number that two runs share only if world and robots are in the same state to the last bit.
@@ -74,6 +77,7 @@ class Simulation {
  private:
   void tickDueRobots();
   void offerPictures();
+  void reset();
   void keepSnapshot(const std::string& name);
   const std::shared_ptr<const Snapshot>& findSnapshot(const std::string& name) const;
 

@@ -87,5 +87,33 @@ TEST(CameraStream, AMinuteIsTheSameAgainAndOnAThreadOfItsOwn) {
   EXPECT_EQ(threaded.queue->droppedImages(), 0);
 }
 
+/// The pictures of both cameras from one time to another.
+std::vector<std::uint64_t> watch(Minute& minute, int from_ms, int to_ms) {
+  camera::Renderer renderer;
+  std::vector<std::uint64_t> hashes;
+  for (int ms = from_ms; ms < to_ms; ms += 20) {
+    minute.simulation.advanceTo(SimTime(std::chrono::milliseconds(ms + 20)));
+    while (minute.queue->renderNext(renderer)) {
+    }
+    for (const std::uint64_t id : minute.ids) {
+      const auto image = minute.feed->latest(id);
+      hashes.push_back(image ? image->hash() : 0);
+    }
+  }
+  return hashes;
+}
+
+// The robot falls, from the field to the hall's sky and back: exposure is on its way all the time.
+TEST(CameraStream, PicturesAfterARestoredSnapshotAreTheSameAgain) {
+  Minute minute;
+  watch(minute, 0, 1000);
+  minute.simulation.world().push(0, {60, 20, 0}, std::chrono::milliseconds(300));
+  watch(minute, 1000, 1500);
+  const auto snapshot = minute.simulation.snapshot();
+  const auto first = watch(minute, 1500, 3500);
+  minute.simulation.restore(*snapshot);
+  EXPECT_EQ(watch(minute, 1500, 3500), first);
+}
+
 }  // namespace
 }  // namespace nao::runtime
