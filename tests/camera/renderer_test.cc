@@ -76,18 +76,6 @@ void expectSphereWhereRaysSay(const View& view, const Vec3& centre, double radiu
   EXPECT_NEAR(seen.area, expected.area, 0.5 * outline);
 }
 
-TEST(Renderer, ASphereStraightAheadIsACircleOfThePinholesSize) {
-  const View view = viewFrom({0, 0, 1}, 0);
-  SceneFrame scene = blackScene();
-  scene.balls.push_back({0.0325, {0.5, 0, 1}, kWhite, Mat3::Identity()});
-  Renderer renderer;
-  const Blob seen = redBlob(renderer.render(scene, view));
-  const double radius = view.lens.fx * 0.0325 / std::sqrt(0.5 * 0.5 - 0.0325 * 0.0325);
-  EXPECT_NEAR(seen.centre.x(), 320, 0.1);  // symmetric but for the light on the rim
-  EXPECT_NEAR(seen.centre.y(), 240, 0.2);
-  EXPECT_NEAR(std::sqrt(seen.area / M_PI), radius, 0.5);
-}
-
 TEST(Renderer, ASphereOffTheAxisCoversWhatRaysSay) {
   expectSphereWhereRaysSay(viewFrom({0, 0, 1}, 0), {0.4, 0.1, 1.08}, 0.0325);
   expectSphereWhereRaysSay(viewFrom({0, 0, 0.5}, 0.6), {0.5, -0.12, 0.1}, 0.05);
@@ -113,63 +101,6 @@ TEST(Renderer, ASphereSunkIntoTheGroundShowsItsUpperHalf) {
   EXPECT_GT(seen.area, 0.45 * castSphere(view, {0.6, 0, 0}, 0.05).area);
 }
 
-struct Stripe {
-  double centre = 0;     // [px]
-  double thickness = 0;  // [px]
-};
-
-/// The white along the middle column below the horizon: how much, and where its middle is.
-Stripe stripeInMiddle(const Raster& raster, double horizon) {
-  Stripe stripe;
-  for (int row = static_cast<int>(horizon + 1); row < raster.size().height; ++row) {
-    const double part = redOf(raster.colors(row)[raster.size().width / 2]) / 255.0;
-    stripe.thickness += part;
-    stripe.centre += part * (row + 0.5);
-  }
-  stripe.centre /= stripe.thickness;
-  return stripe;
-}
-
-TEST(Renderer, ALineAcrossFallsWhereThePinholeSays) {
-  for (const double distance : {1.3, 2.0, 5.0, 15.0}) {
-    SceneFrame scene = blackScene();
-    addLine(worldOf(scene), distance, -50, distance, 50);
-    Renderer renderer;
-    const View view = viewFrom({0, 0, 0.5}, 0.1);
-    const double horizon = view.lens.cy - view.lens.fy * std::tan(0.1);
-    const Stripe seen = stripeInMiddle(renderer.render(scene, view), horizon);
-    const auto row = [&](double x) {
-      return view.lens.project(view.X_WC.inverse() * Vec3(x, 0, 0))->y();
-    };
-    const double near_edge = row(distance - 0.025);
-    const double far_edge = row(distance + 0.025);
-    // Half a step of 255 in weight and in colour, for the two pixels of the edges. The middle of
-    // a line thinner than a pixel is the middle of that pixel.
-    EXPECT_NEAR(seen.thickness, near_edge - far_edge, 0.01) << distance;
-    EXPECT_NEAR(seen.centre, (near_edge + far_edge) / 2, seen.thickness < 1 ? 0.5 : 0.05)
-        << distance;
-  }
-}
-
-TEST(Renderer, ALineAwayFallsWhereThePinholeSays) {
-  SceneFrame scene = blackScene();
-  addLine(worldOf(scene), -100, 0.3, 100, 0.3);
-  Renderer renderer;
-  const View view = viewFrom({0, 0, 0.5}, 0);
-  const Raster& raster = renderer.render(scene, view);
-  for (const int row : {300, 400, 470}) {
-    const double depth = view.lens.fy * 0.5 / (row + 0.5 - view.lens.cy);
-    double sum = 0;
-    double weighted = 0;
-    for (int column = 0; column < 640; ++column) {
-      sum += redOf(raster.colors(row)[column]);
-      weighted += redOf(raster.colors(row)[column]) * (column + 0.5);
-    }
-    EXPECT_NEAR(weighted / sum, view.lens.cx - view.lens.fx * 0.3 / depth, 0.2) << row;
-    EXPECT_NEAR(sum / 255, view.lens.fx * 0.05 / depth, 0.2) << row;
-  }
-}
-
 TEST(Renderer, ARingFallsWhereThePinholeSaysFromInsideAndOutside) {
   for (const double centre : {0.0, 2.0}) {
     SceneFrame scene = blackScene();
@@ -191,18 +122,6 @@ TEST(Renderer, ARingFallsWhereThePinholeSaysFromInsideAndOutside) {
     }
     EXPECT_EQ(redOf(raster.colors(470)[320]), 0);  // the lower edge is inside or before the ring
   }
-}
-
-TEST(Renderer, TheHorizonIsAtEyeHeight) {
-  SceneFrame scene = emptyScene();
-  Renderer renderer;
-  const View view = viewFrom({0, 0, 0.5}, 0.2);
-  const Raster& raster = renderer.render(scene, view);
-  const double horizon = view.lens.cy - view.lens.fy * std::tan(0.2);
-  const int last_of_sky = static_cast<int>(horizon - 1);
-  EXPECT_TRUE(isColor(raster.colors(last_of_sky)[100], scene.world->sky_color));
-  EXPECT_FALSE(isColor(raster.colors(last_of_sky + 2)[100], scene.world->sky_color));
-  EXPECT_TRUE(isColor(raster.colors(479)[100], scene.world->ground_color));
 }
 
 TEST(Renderer, ASolidThatReachesBehindTheCameraIsCutNotLost) {

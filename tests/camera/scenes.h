@@ -9,6 +9,18 @@ namespace nao::camera {
 
 inline constexpr double kQuarterTurn = 1.5707963267948966;  // [rad]
 
+/// The fields of view that are published of the Naos' cameras.
+struct PublishedLens {
+  const char* sensor;
+  double hfov_deg, vfov_deg;
+
+  Pinhole pinhole(ImageSize size) const {
+    return makePinhole(hfov_deg * kQuarterTurn / 90, vfov_deg * kQuarterTurn / 90, size);
+  }
+};
+inline constexpr PublishedLens kPublishedLenses[] = {
+    {"OV7670", 47.8, 36.8}, {"MT9M114", 60.9, 47.6}, {"OV5640", 56.3, 43.7}};
+
 /// Looks from `p_W` along x, turned down by `pitch` [rad].
 inline View viewFrom(const Vec3& p_W, double pitch, ImageSize size = {640, 480}) {
   View view;
