@@ -1,10 +1,9 @@
-#include <sys/prctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <csignal>
+#include <cerrno>
+#include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -12,11 +11,14 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
+#include "app/child_process.h"
 #include "app/commands.h"
+#include "app/program_file.h"
+#include "app/shared_clock.h"
 #include "app/source_paths.h"
+#include "clock/futex.h"
 #include "core/check.h"
 #include "daemon/daemon.h"
 #include "daemon/descriptor_limit.h"
@@ -24,14 +26,14 @@
 namespace nao::app {
 namespace {
 
-constexpr int kNotFound = 127;        // as a shell says that there is no such program
-constexpr int kBySignal = 128;        // as a shell says that a program ended by signal n: 128 + n
 constexpr timespec kPatience{10, 0};  // for a program that was asked to end
 
 struct Arguments {
   daemon::Options options;
   std::vector<std::string> robots;
   std::vector<std::string> command;
+  std::string speed = "max";
+  bool lockstep = true;
   bool python2 = false;
 };
 
@@ -39,24 +41,12 @@ bool isScript(const std::string& word) {
   return word.size() > 3 && word.compare(word.size() - 3, 3, ".py") == 0;
 }
 
-bool isInPath(const std::string& program) {
-  const char* path = std::getenv("PATH");
-  std::string folders = path ? path : "";
-  for (std::size_t start = 0; start <= folders.size();) {
-    const std::size_t end = std::min(folders.find(':', start), folders.size());
-    const auto file = std::filesystem::path(folders.substr(start, end - start)) / program;
-    if (::access(file.c_str(), X_OK) == 0) return true;
-    start = end + 1;
-  }
-  return false;
-}
-
 // What is started: `script.py` alone is Python's, and where there is no `python`, python3 is meant.
 // Python 2 goes through the module that converts it.
 std::vector<std::string> commandOf(const Arguments& arguments) {
   std::vector<std::string> words = arguments.command;
   if (isScript(words.front())) words.insert(words.begin(), "python3");
-  if (words.front() == "python" && !isInPath("python")) words.front() = "python3";
+  if (words.front() == "python" && findProgram("python").empty()) words.front() = "python3";
   if (!arguments.python2) return words;
   if (words.front().rfind("python2", 0) == 0) words.front() = "python3";
   const auto script = std::find_if(words.begin() + 1, words.end(), isScript);
@@ -66,10 +56,10 @@ std::vector<std::string> commandOf(const Arguments& arguments) {
   return words;
 }
 
-void prepend(const char* name, const std::string& folder) {
+void prepend(const char* name, const std::string& word) {
   const char* before = std::getenv(name);
   const std::string rest = before && *before ? ":" + std::string(before) : "";
-  ::setenv(name, (folder + rest).c_str(), 1);
+  ::setenv(name, (word + rest).c_str(), 1);
 }
 
 /// Where converted copies of Python 2 are kept; gone with it.
@@ -92,84 +82,137 @@ class TemporaryFolder {
   std::string path_;
 };
 
-sigset_t watchedSignals() {
-  sigset_t watched;
-  ::sigemptyset(&watched);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) ::sigaddset(&watched, signal);
-  return watched;
-}
-
-/// The user's program: started once the robot answers; its end, and signals to us, are waited for
-/// on a thread of its own. Whatever happens to us, it ends.
-class Program {
+/// A world and a program in it, each a child of ours. Whatever happens to us, they end.
+class Run {
  public:
-  /// No thread is running yet: all are to leave the signals to ours.
-  explicit Program(std::vector<std::string> command) : words_(std::move(command)) {
-    const sigset_t watched = watchedSignals();
-    ::pthread_sigmask(SIG_BLOCK, &watched, &before_);
-  }
-  Program(const Program&) = delete;
-  Program& operator=(const Program&) = delete;
-  ~Program() {
-    if (watcher_.joinable()) watcher_.join();
+  explicit Run(Arguments& arguments)
+      : arguments_(arguments), signals_(blockWatchedSignals()), words_(commandOf(arguments)) {
+    chooseClock();
   }
 
-  /// `ended` is called on the other thread.
-  void start(const std::function<void()>& ended) {
-    std::vector<char*> pointers;
-    for (std::string& word : words_) pointers.push_back(word.data());
-    pointers.push_back(nullptr);
-    const pid_t parent = ::getpid();
-    process_ = ::fork();
-    NAO_CHECK(process_ >= 0);
-    if (process_ == 0) become(pointers, parent);
-    watcher_ = std::thread([this, ended] {
-      watch();
-      ended();
-    });
+  int run() {
+    world_.emplace([this] { return beWorld(); }, signals_);
+    if (!awaitWorld()) return world_->exitCode();
+    setEnvironment();
+    program_.emplace(words_, signals_);
+    const bool worlds_fault = !watch();
+    endWorld();
+    if (worlds_fault) std::fprintf(stderr, "usarnaoqi: the world ended before the program did\n");
+    return worlds_fault ? 1 : program_->exitCode();
   }
-
-  /// After the end.
-  int exitCode() const { return exit_code_; }
 
  private:
-  [[noreturn]] void become(const std::vector<char*>& words, pid_t parent) {
-    ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-    if (::getppid() != parent) ::_exit(kNotFound);  // we were too late to be told
-    ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-    ::execvp(words[0], words.data());
-    std::perror(words[0]);
-    ::_exit(kNotFound);
+  // Which clock the program gets, and how fast the world then goes.
+  void chooseClock() {
+    arguments_.options.speed = daemon::parseSpeed(arguments_.speed);
+    const std::string file = findProgram(words_.front());
+    const std::string why = file.empty() ? "" : whyNoClock(file);
+    if (!why.empty()) {
+      std::fprintf(stderr,
+                   "usarnaoqi: %s %s: it keeps its own time, so the world goes at 1x and not in "
+                   "lockstep\n",
+                   words_.front().c_str(), why.c_str());
+      arguments_.options.speed = 1;
+      has_clock_ = arguments_.lockstep = false;
+    }
+    clock_.emplace(arguments_.lockstep ? clock::Mode::Lockstep : clock::Mode::Follow);
+    arguments_.options.clock = &clock_->page();
   }
 
-  // A terminal's Ctrl-C reaches the program by itself; other signals are handed on. What it makes
-  // of Ctrl-C is its affair; if it is told to end and does not in time, it is ended.
-  void watch() {
-    const sigset_t watched = watchedSignals();
-    bool asked = false;
-    while (!hasEnded()) {
-      siginfo_t info{};
-      const int signal =
-          asked ? ::sigtimedwait(&watched, &info, &kPatience) : ::sigwaitinfo(&watched, &info);
-      if (signal < 0 && asked) ::kill(process_, SIGKILL);
-      if (signal <= 0 || signal == SIGCHLD) continue;
-      if (info.si_code != SI_KERNEL) ::kill(process_, signal);
-      asked = asked || signal != SIGINT;
+  int beWorld() {
+    ::setpgid(0, 0);  // Ctrl-C is for the program
+    try {
+      daemon::raiseDescriptorLimit();
+      daemon::Daemon daemon(arguments_.options);
+      daemon.stopOnSignals();
+      daemon.run([&] { open(daemon); });
+      tellEnd(daemon);
+      return 0;
+    } catch (const InputError& error) {
+      std::fprintf(stderr, "usarnaoqi: %s\n", error.what());
+      return 2;
     }
   }
 
-  bool hasEnded() {
-    int status = 0;
-    if (::waitpid(process_, &status, WNOHANG) != process_) return false;
-    exit_code_ = WIFSIGNALED(status) ? kBySignal + WTERMSIG(status) : WEXITSTATUS(status);
+  void open(daemon::Daemon& daemon) {
+    clock::ClockPage& page = clock_->page();
+    std::size_t i = 0;
+    for (std::size_t robot = 0; robot < daemon.robotCount(); ++robot)
+      for (const std::uint16_t port : daemon.endpoints(robot).gatedPorts())
+        if (i + 1 < clock::kPorts) page.ports[i++] = port;
+    page.ready = 1;
+    clock::ring(page.ready);
+  }
+
+  void tellEnd(daemon::Daemon& daemon) {
+    const daemon::LoopState end = daemon.state();
+    const std::uint32_t strayed = clock_->page().strayed.load();
+    const char* kept = !arguments_.lockstep ? "" : strayed ? ", not repeatable" : ", repeatable";
+    std::fprintf(stderr, "usarnaoqi: ended at %.3f s of simulated time, state %016" PRIx64 "%s\n",
+                 toSeconds(end.time), end.hash, kept);
+  }
+
+  // False when it has ended before.
+  bool awaitWorld() {
+    clock::ClockPage& page = clock_->page();
+    while (page.ready.load() == 0) {
+      if (world_->hasEnded()) return false;
+      clock::waitWhile(page.ready, 0, 20 * clock::kMillisecond);
+    }
     return true;
   }
 
+  void setEnvironment() {
+    const std::string port = std::to_string(clock_->page().ports[0]);
+    ::setenv("NAOQI_ADDRESS", ("127.0.0.1:" + port).c_str(), 1);
+    prepend("PYTHONPATH", findSourceFile("naoqi_api/sdk/python"));
+    if (!has_clock_) return;
+    ::setenv(clock::kPageVariable, clock_->path().c_str(), 1);
+    prepend("LD_PRELOAD", clockLibrary());
+    if (arguments_.lockstep) ::setenv("PYTHONHASHSEED", "0", 1);
+  }
+
+  // Until the program has ended; false: the world ended before. A terminal's Ctrl-C reaches the
+  // program by itself; other signals are handed on. What it makes of Ctrl-C is its affair; if it is
+  // told to end and does not in time, it is ended.
+  bool watch() {
+    const sigset_t watched = watchedSignals();
+    bool asked = false;
+    bool alone = false;
+    while (!program_->hasEnded()) {
+      if (!alone && world_->hasEnded()) {
+        alone = asked = true;
+        clock_->stop();
+        program_->signal(SIGTERM);
+      }
+      siginfo_t info{};
+      const int signal =
+          asked ? ::sigtimedwait(&watched, &info, &kPatience) : ::sigwaitinfo(&watched, &info);
+      if (signal < 0 && errno == EAGAIN) program_->signal(SIGKILL);
+      if (signal <= 0 || signal == SIGCHLD) continue;
+      if (info.si_code != SI_KERNEL) program_->signal(signal);
+      asked = asked || signal != SIGINT;
+    }
+    return !alone;
+  }
+
+  void endWorld() {
+    const sigset_t watched = watchedSignals();
+    clock_->stop();  // whoever of the program's processes goes on does so by itself
+    world_->signal(SIGTERM);
+    while (!world_->hasEnded()) {
+      const int signal = ::sigtimedwait(&watched, nullptr, &kPatience);
+      if (signal < 0 && errno == EAGAIN) world_->signal(SIGKILL);
+    }
+  }
+
+  Arguments& arguments_;
+  const sigset_t signals_;
   std::vector<std::string> words_;
-  sigset_t before_{};
-  pid_t process_ = 0;
-  int exit_code_ = 0;
-  std::thread watcher_;
+  bool has_clock_ = true;
+  std::optional<SharedClock> clock_;
+  std::optional<ChildProcess> world_;
+  std::optional<ChildProcess> program_;
 };
 
 void run(Arguments& arguments) {
@@ -184,16 +227,8 @@ void run(Arguments& arguments) {
 
   std::optional<TemporaryFolder> copies;
   if (arguments.python2) ::setenv("USARNAOQI_PY2_FOLDER", copies.emplace().path().c_str(), 1);
-  Program program(commandOf(arguments));
-  daemon::raiseDescriptorLimit();
-  daemon::Daemon daemon(options);
-  daemon.run([&] {
-    const std::string port = std::to_string(daemon.port(0));
-    ::setenv("NAOQI_ADDRESS", ("127.0.0.1:" + port).c_str(), 1);
-    prepend("PYTHONPATH", findSourceFile("naoqi_api/sdk/python"));
-    program.start([&] { daemon.stop(); });
-  });
-  if (program.exitCode() != 0) throw CLI::RuntimeError(program.exitCode());
+  const int code = Run(arguments).run();
+  if (code != 0) throw CLI::RuntimeError(code);
 }
 
 }  // namespace
@@ -208,6 +243,24 @@ void addRun(CLI::App& app) {
       "A robot of the folder robots/ or a FILE.urdf, as MODEL or NAME=MODEL. Default: "
       "nao_h21_v33.");
   command->add_option("--world", options.world, "The world, a YAML file.")->capture_default_str();
+  command
+      ->add_option("--speed", arguments->speed,
+                   "Simulated seconds per second at most, or 'max' for as fast as it goes.")
+      ->capture_default_str();
+  command->add_flag(
+      "--lockstep,!--no-lockstep", arguments->lockstep,
+      "The program's clocks and sleeps are the world's, and its threads take turns with\n"
+      "the world, so that every run is the same whatever else the machine does (default).\n"
+      "Without it the clocks follow the world.");
+  command
+      ->add_option("--seed", options.seed,
+                   "Draws what makes real runs differ; 0: no variation (see serve --help).")
+      ->capture_default_str();
+  command
+      ->add_option("--data-dir", options.data_dir,
+                   "Where the files are that the program plays, records and writes on the robot.")
+      ->check(CLI::ExistingDirectory);
+  command->add_option("--naoqi", options.naoqi, "The NAOqi to be like: 1.12 to 2.9.");
   command->add_flag("--py2", arguments->python2,
                     "The program is Python 2: it runs converted, from a temporary copy.");
   command->add_option("command", arguments->command, "The program and its arguments, after --.")
@@ -218,7 +271,8 @@ void addRun(CLI::App& app) {
       "PYTHONPATH,\n"
       "so that naoqi, qi, almath, motion and vision_definitions are there unless they are "
       "installed.\n"
-      "The exit code is the program's; 128 + n if signal n ended it.");
+      "The exit code is the program's; 128 + n if signal n ended it. In lockstep time passes only\n"
+      "while the program waits; a call that is answered at once takes 0.5 ms of it.");
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -75,10 +75,18 @@ Daemon::Daemon(const Options& options)
         loop_.wake();
         scheduleDelivery();
       }) {
+  startClock();
   makeHosts();
   startLola();
   loop_.holdWhile([this] { return cameras_.pendingJobs() > 0; });
   if (!options.modules.empty()) inviteModules();
+}
+
+void Daemon::startClock() {
+  clock::ClockPage* page = options_.clock;
+  if (!page) return;
+  loop_.showTimeOn(*page);
+  if (page->mode == clock::Mode::Lockstep) turns_ = std::make_unique<WorldTurns>(*page, io_);
 }
 
 void Daemon::makeHosts() {
@@ -98,7 +106,8 @@ void Daemon::makeHosts() {
   std::size_t with_lola = 0;
   for (std::size_t i = 0; i < simulation_.robotCount(); ++i) {
     const HostContext context{io_,      loop_,        simulation_, options_, credentials,
-                              task_ids, script_token, sockets[i],  with_lola};
+                              task_ids, script_token, sockets[i],  with_lola,
+                              turns_ ? &turns_->gate() : nullptr};
     if (!sockets[i].empty()) ++with_lola;
     hosts_.push_back(std::make_unique<RobotHost>(context, i));
     cameras_.add(hosts_.back()->pictures());
@@ -155,10 +164,14 @@ Daemon::~Daemon() {
 void Daemon::run(const std::function<void()>& ready) {
   const auto work = boost::asio::make_work_guard(io_);
   cameras_.start();
-  loop_.start();
+  if (!turns_) loop_.start();
   if (modules_) startModules();
   if (ready) boost::asio::post(io_, ready);
-  io_.run();
+  if (turns_) {
+    loop_.alternateWith(*turns_, [this] { return io_.stopped(); });
+  } else {
+    io_.run();
+  }
   loop_.stop();
   cameras_.stop();
   for (auto& host : hosts_) host->close();

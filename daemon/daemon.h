@@ -15,6 +15,7 @@
 #include "daemon/options.h"
 #include "daemon/robot_host.h"
 #include "daemon/robot_loop.h"
+#include "daemon/world_turns.h"
 #include "runtime/simulation.h"
 
 namespace nao::daemon {
@@ -68,6 +69,7 @@ class Daemon {
   void deliver();
   void makeHosts();
   void startLola();
+  void startClock();
   void inviteModules();
   void startModules();
 
@@ -76,6 +78,7 @@ class Daemon {
   boost::asio::signal_set signals_{io_};
   boost::asio::steady_timer patience_{io_};  // with modules that are to end
   runtime::Simulation simulation_;
+  std::unique_ptr<WorldTurns> turns_;  // none outside of lockstep
   RobotLoop loop_;
   CameraLoop cameras_;
   std::unique_ptr<LocalModules> modules_;  // none without --module

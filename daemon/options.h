@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "clock/clock_page.h"
 #include "core/frames.h"
 #include "naoqi_api/wire/lola_sensors.h"
 #include "runtime/simulation.h"
@@ -66,6 +67,9 @@ struct Options {
   std::vector<std::string> lolaCameraHosts() const {
     return insecure ? listen : std::vector<std::string>{"127.0.0.1"};
   }
+
+  /// Where programs see this world's time and take turns with it; null: nowhere. Outlives it.
+  clock::ClockPage* clock = nullptr;
 
   bool strict = false;  // open connections as libqi 4 does, not as older NAOqi
 };

@@ -16,8 +16,15 @@ namespace {
 
 using boost::asio::ip::tcp;
 
-std::unique_ptr<Stream> plainStream(tcp::socket socket, Stream::ReadBuffer& buffer) {
-  return std::make_unique<TcpStream>(std::move(socket), buffer);
+MakeStream plainStreams(TurnGate* gate) {
+  return [gate](tcp::socket socket, Stream::ReadBuffer& buffer) -> std::unique_ptr<Stream> {
+    boost::system::error_code gone;
+    const std::uint16_t from = socket.remote_endpoint(gone).port();
+    const std::uint16_t to = socket.local_endpoint(gone).port();
+    auto stream = std::make_unique<TcpStream>(std::move(socket), buffer);
+    if (!gate) return stream;
+    return gate->guard(std::move(stream), from, to);
+  };
 }
 
 MakeStream tlsStreams(const Options& options) {
@@ -51,7 +58,7 @@ std::string urlOf(const std::string& scheme, const std::string& host, std::uint1
 }  // namespace
 
 RobotEndpoints::RobotEndpoints(boost::asio::io_context& io, const Options& options,
-                               std::size_t robot, rpc::ServiceHub& hub)
+                               std::size_t robot, rpc::ServiceHub& hub, TurnGate* gate)
     : hosts_(options.listen) {
   checkSecurity(options);
   const auto address = [&](std::uint16_t first, const char* option) {
@@ -59,13 +66,13 @@ RobotEndpoints::RobotEndpoints(boost::asio::io_context& io, const Options& optio
   };
   const auto budget = std::make_shared<ByteBudget>();
   const auto qi = connectionsTo<wire::QiConnection>(hub);
-  qi_ = std::make_unique<Server>(io, address(options.port, "--port"), plainStream, qi, budget);
+  qi_ = std::make_unique<Server>(io, address(options.port, "--port"), plainStreams(gate), qi, budget);
   if (const auto port = options.tls_port) {
     tls_ =
         std::make_unique<Server>(io, address(*port, "--tls-port"), tlsStreams(options), qi, budget);
   }
   if (const auto port = options.msgpack_port) {
-    msgpack_ = std::make_unique<Server>(io, address(*port, "--msgpack-port"), plainStream,
+    msgpack_ = std::make_unique<Server>(io, address(*port, "--msgpack-port"), plainStreams(gate),
                                         connectionsTo<wire::MsgpackConnection>(hub), budget);
   }
   if (const auto port = options.http_port) {
@@ -86,6 +93,12 @@ std::vector<std::string> RobotEndpoints::otherAddresses() const {
   if (msgpack_) add("msgpack-rpc", msgpack_->port());
   if (web_) add("http", web_->port());
   return addresses;
+}
+
+std::vector<std::uint16_t> RobotEndpoints::gatedPorts() const {
+  std::vector<std::uint16_t> ports = {qi_->port()};
+  if (msgpack_) ports.push_back(msgpack_->port());
+  return ports;
 }
 
 void RobotEndpoints::close() {

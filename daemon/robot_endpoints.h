@@ -7,6 +7,7 @@
 
 #include "daemon/options.h"
 #include "daemon/server.h"
+#include "daemon/turn_gate.h"
 #include "daemon/web_server.h"
 #include "naoqi_api/service_hub.h"
 
@@ -16,11 +17,14 @@ namespace nao::daemon {
 /// the web. I/O thread. The hub outlives it.
 class RobotEndpoints {
  public:
+  /// With a gate, clients of qi and msgpack-RPC are heard when it opens.
   /// @throws InputError when a port can not be listened on, or the options leave it open to all.
   RobotEndpoints(boost::asio::io_context& io, const Options& options, std::size_t robot,
-                 rpc::ServiceHub& hub);
+                 rpc::ServiceHub& hub, TurnGate* gate = nullptr);
 
   std::uint16_t qiPort() const { return qi_->port(); }
+  /// Where its clients come through the gate, if there is one.
+  std::vector<std::uint16_t> gatedPorts() const;
 
   /// Those beside qi on the first host, as URLs.
   std::vector<std::string> otherAddresses() const;

@@ -26,7 +26,7 @@ RobotHost::RobotHost(const HostContext& context, std::size_t robot)
   services_.addTo(hub_);
   usar_sim_.watch(images_, pictures_);
   hub_.add(usar_sim_.describe());
-  endpoints_ = std::make_unique<RobotEndpoints>(context.io, context.options, robot, hub_);
+  endpoints_ = std::make_unique<RobotEndpoints>(context.io, context.options, robot, hub_, context.gate);
   if (!context.lola.empty()) offerLola(context, robot);
 }
 

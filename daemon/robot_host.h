@@ -33,6 +33,7 @@ struct HostContext {
   std::string script_token;     // that the code in boxes names; empty: none is asked for
   std::string lola;             // path of the robot's LoLA socket; empty: it has none
   std::size_t lola_before = 0;  // how many robots before it have one
+  TurnGate* gate = nullptr;     // before the sockets of clients that take turns with the world
 };
 
 /// One robot as its clients see it: its services, their directory and the port it listens on.

@@ -78,7 +78,7 @@ void RobotLoop::run() {
 bool RobotLoop::mayAdvance() {
   if (!simulation_.world().healthy() || (paused_ && steps_left_ == 0)) return false;
   if (waits_ && waits_(simulation_.now())) return false;
-  const bool exact = paused_ || std::isinf(pace_.speed());  // else a late picture is dropped
+  const bool exact = paused_ || turns_ || std::isinf(pace_.speed());  // else a late picture is dropped
   return !(exact && hold_ && hold_());
 }
 
@@ -216,6 +216,7 @@ void RobotLoop::publish() {
   if (paused_) state.hash = simulation_.hash();
   state.snapshots = simulation_.snapshotNames();
   state_.publish(state);
+  showTime();
   std::size_t sent = 0;
   while (sent < unsent_.size() && outcomes_.post(unsent_[sent])) ++sent;
   unsent_.erase(unsent_.begin(), unsent_.begin() + static_cast<std::ptrdiff_t>(sent));

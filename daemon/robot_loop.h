@@ -13,6 +13,7 @@
 #include "core/latest.h"
 #include "core/mailbox.h"
 #include "daemon/pace.h"
+#include "daemon/world_turns.h"
 #include "runtime/simulation.h"
 
 namespace nao::daemon {
@@ -83,6 +84,11 @@ class RobotLoop {
   };
   /// Before start(). Called on the simulation thread; must not block.
   void invite(Guests guests) { guests_ = std::move(guests); }
+  /// Instead of start(): takes turns with clients, whose clocks show `turns`' time, on this thread,
+  /// until `ended`.
+  void alternateWith(WorldTurns& turns, const std::function<bool()>& ended);
+  /// Before start(): clocks that follow the world's time.
+  void showTimeOn(clock::ClockPage& page) { page_ = &page; }
   /// Before start(): told after every cycle, on the simulation thread, how long after it was due it
   /// was published.
   void onCycle(std::function<void(std::chrono::nanoseconds late)> told) { told_ = std::move(told); }
@@ -102,6 +108,13 @@ class RobotLoop {
   void advanceTo(SimTime time);
   void hostGuests();
   void publish();
+  void showTime();
+  void takeTurn();
+  bool settle();
+  void goOnTo(Duration time);
+  void beatOfTurns();
+  void waitForPictures();
+  Duration dueOfTurns() const;
   void waitUntil(Pace::Wall wall);
 
   runtime::Simulation& simulation_;
@@ -110,6 +123,10 @@ class RobotLoop {
   std::function<bool(SimTime)> waits_;
   std::vector<Duration> beats_;  // how often it looks at requests and clocks, simulated
   Guests guests_;
+  WorldTurns* turns_ = nullptr;
+  clock::ClockPage* page_ = nullptr;
+  Duration ahead_{};  // of clients' clocks before simulated time: it stood, or was set back
+  SimTime shown_{};   // simulated time then
   std::function<void(std::chrono::nanoseconds)> told_;
   Mailbox<LoopRequest> requests_{256};
   Mailbox<LoopOutcome> outcomes_{4096};

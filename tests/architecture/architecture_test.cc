@@ -22,9 +22,10 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"walk_engine", {"core", "motion"}},
     {"runtime", {"core", "sim", "motion", "walk_engine", "camera"}},
     {"naoqi_api", {"core", "motion", "camera"}},
-    {"daemon", {"core", "motion", "camera", "runtime", "naoqi_api"}},
+    {"clock", {}},
+    {"daemon", {"clock", "core", "motion", "camera", "runtime", "naoqi_api"}},
     {"validation", {"core", "sim", "motion", "camera", "runtime"}},
-    {"app", {"core", "motion", "camera", "runtime", "naoqi_api", "daemon", "validation"}},
+    {"app", {"clock", "core", "motion", "camera", "runtime", "naoqi_api", "daemon", "validation"}},
 };
 
 // Which folders may know a library: the others must not see its types.
