@@ -6,13 +6,14 @@
 
 namespace nao::runtime {
 
-void BodyDrive::update(const BodyCommand* newest, SimTime now) {
+bool BodyDrive::update(const BodyCommand* newest, SimTime now) {
   if (newest && newest->number != seen_) {
     seen_ = newest->number;
     state_ = {true, now, newest->angle, newest->stiffness, {}};
-  } else if (now - state_.heard >= kHold) {
-    release();
+    return true;
   }
+  if (now - state_.heard >= kHold) release();
+  return false;
 }
 
 const JointCommand& BodyDrive::drive(const RobotModel& model, const SensorFrame& measured) {

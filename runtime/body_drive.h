@@ -16,8 +16,9 @@ class BodyDrive {
   /// Its last command holds so long; then the body is the motion side's, without stiffness.
   static constexpr Duration kHold = std::chrono::milliseconds(500);
 
-  /// One cycle: takes over what the program asked for last, null before its first time.
-  void update(const BodyCommand* newest, SimTime now);
+  /// One cycle: takes over what the program asked for last, null before its first time; whether
+  /// that is new.
+  bool update(const BodyCommand* newest, SimTime now);
 
   /// Lets go: the next command drives again.
   void release() { state_.drives = false; }

@@ -27,15 +27,18 @@ Robot::Robot(std::shared_ptr<const RobotModel> model)
 void Robot::acceptRequests() {
   const auto requests = ports_->requests.drain();
   if (requests.empty() && unsent_.empty()) return;
-  for (const motion::MotionRequest& request : requests) accept(request);
+  for (const motion::MotionRequest& request : requests) accept(request, Input::Place::Between);
   publish();
 }
 
 JointCommand Robot::tick(const SensorFrame& frame) {
   const bool drove = drive_.drives();
-  drive_.update(ports_->body.get().get(), frame.time);
+  const auto body = ports_->body.get();
+  if (drive_.update(body.get(), frame.time) && told_) told_(Input::Place::Cycle, *body);
   if (drive_.drives() && !drove) powerCycle(motion::MotionOutcome::Kind::Failed, kDrivenReason);
-  for (const motion::MotionRequest& request : ports_->requests.drain()) accept(request);
+  for (const motion::MotionRequest& request : ports_->requests.drain()) {
+    accept(request, Input::Place::Cycle);
+  }
   JointCommand command = motion_.update(frame);
   if (drive_.drives()) command = drive_.drive(*model_, frame);
   ports_->publish(std::make_shared<const SensorFrame>(frame));
@@ -43,7 +46,8 @@ JointCommand Robot::tick(const SensorFrame& frame) {
   return command;
 }
 
-void Robot::accept(const motion::MotionRequest& request) {
+void Robot::accept(const motion::MotionRequest& request, Input::Place place) {
+  if (told_) told_(place, request);
   last_accepted_ = request.id;
   if (drive_.drives()) {
     unsent_.push_back({request.id, motion::MotionOutcome::Kind::Failed, kDrivenReason});

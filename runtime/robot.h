@@ -4,6 +4,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/robot_io.h"
@@ -11,6 +12,7 @@
 #include "motion/motion_engine.h"
 #include "motion/robot_ports.h"
 #include "runtime/body_drive.h"
+#include "runtime/input.h"
 
 namespace nao::runtime {
 
@@ -27,6 +29,11 @@ class Robot {
   const RobotModel& model() const { return *model_; }
   const std::shared_ptr<const RobotModel>& sharedModel() const { return model_; }
   const std::shared_ptr<motion::RobotPorts>& ports() const { return ports_; }
+
+  /// Told of all that is taken over through the ports.
+  void tellInputs(std::function<void(Input::Place, const Input::Content&)> told) {
+    told_ = std::move(told);
+  }
 
   /// Takes over what clients asked for. Called by tick(), and alone while the world is paused, so
   /// that nobody waits for an answer that only needs accepting.
@@ -57,13 +64,14 @@ class Robot {
   }
 
  private:
-  void accept(const motion::MotionRequest& request);
+  void accept(const motion::MotionRequest& request, Input::Place place);
   void publish();
   void powerCycle(motion::MotionOutcome::Kind kind, const char* reason);
   void endOpen(motion::MotionOutcome::Kind kind, const char* reason);
 
   std::shared_ptr<const RobotModel> model_;
   std::shared_ptr<motion::RobotPorts> ports_;
+  std::function<void(Input::Place, const Input::Content&)> told_;  // empty: nobody asked
   const motion::MotionEngine at_start_;
   motion::MotionEngine motion_;
   BodyDrive drive_;

@@ -28,7 +28,21 @@ void Simulation::advanceTo(SimTime time) {
     tickDueRobots();
     world_.step();
     offerPictures();
+    for (SimulationWatcher* watcher : watchers_) watcher->stepped(*this);
   }
+}
+
+void Simulation::watch(SimulationWatcher& watcher) {
+  watchers_.push_back(&watcher);
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    robots_[i]->tellInputs([this, i](Input::Place place, const Input::Content& content) {
+      tell({now(), place, i, content});
+    });
+  }
+}
+
+void Simulation::tell(const Input& input) {
+  for (SimulationWatcher* watcher : watchers_) watcher->took(input);
 }
 
 void Simulation::showTo(std::shared_ptr<camera::RenderQueue> queue, std::size_t robot) {
@@ -48,14 +62,19 @@ void Simulation::tickDueRobots() {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const Duration cycle = robots_[i]->model().cycle;
     if (world_.now().time_since_epoch() % cycle != Duration::zero()) continue;
-    for (const LedOrder& order : robots_[i]->ports()->leds.drain()) {
-      world_.setLeds(i, order.leds, order.brightness);
-    }
+    lightLeds(i);
     const SensorFrame frame = world_.readSensors(i);
     const JointCommand command = robots_[i]->tick(frame);
     world_.setCommand(i, command);
     if (told_[i]) told_[i](frame, command);
     if (i == 0) truth_.publish(world_.scene());
+  }
+}
+
+void Simulation::lightLeds(std::size_t robot) {
+  for (const LedOrder& order : robots_[robot]->ports()->leds.drain()) {
+    if (!watchers_.empty()) tell({now(), Input::Place::Cycle, robot, order});
+    world_.setLeds(robot, order.leds, order.brightness);
   }
 }
 
@@ -117,6 +136,13 @@ std::vector<std::string> Simulation::snapshotNames() const {
 }
 
 void Simulation::apply(const WorldRequest& request) {
+  const SimTime before = now();
+  carryOut(request);
+  if (!watchers_.empty()) tell({before, Input::Place::Between, 0, request});
+  truth_.publish(world_.scene());
+}
+
+void Simulation::carryOut(const WorldRequest& request) {
   std::visit(Overloaded{[this](const PushRobot& r) {
                           checkIndex(r.robot, robots_.size(), "robot");
                           world_.push(r.robot, r.force_W, r.duration);
@@ -142,7 +168,6 @@ void Simulation::apply(const WorldRequest& request) {
                           snapshots_.erase(r.name);
                         }},
              request);
-  truth_.publish(world_.scene());
 }
 
 }  // namespace nao::runtime

@@ -11,6 +11,7 @@
 #include "core/latest.h"
 #include "core/scene_frame.h"
 #include "runtime/robot.h"
+#include "runtime/simulation_watcher.h"
 #include "runtime/world_request.h"
 #include "sim/world.h"
 
@@ -71,11 +72,18 @@ class Simulation {
   using Told = std::function<void(const SensorFrame& frame, const JointCommand& command)>;
   void tellCycles(std::size_t robot, Told told) { told_.at(robot) = std::move(told); }
 
+  /// Before the first advanceTo(): has a watcher, which outlives it, look on. What is done to
+  /// world() itself or by restore() no watcher hears of: those who want a run recorded use apply().
+  void watch(SimulationWatcher& watcher);
+
   /// Where everything really is, once per cycle of the first robot. For UsarSim, never for NaoQi.
   const Latest<SceneFrame>& truth() const { return truth_; }
 
  private:
   void tickDueRobots();
+  void lightLeds(std::size_t robot);
+  void tell(const Input& input);
+  void carryOut(const WorldRequest& request);
   void offerPictures();
   void reset();
   void keepSnapshot(const std::string& name);
@@ -90,6 +98,7 @@ class Simulation {
   std::vector<std::unique_ptr<Robot>> robots_;
   std::vector<Eyes> eyes_;
   std::vector<Told> told_;  // by robot; empty: nobody asked
+  std::vector<SimulationWatcher*> watchers_;
   Latest<SceneFrame> truth_;
   std::map<std::string, std::shared_ptr<const Snapshot>> snapshots_;
 };
