@@ -148,8 +148,12 @@ class Run {
     const daemon::LoopState end = daemon.state();
     const std::uint32_t strayed = clock_->page().strayed.load();
     const char* kept = !arguments_.lockstep ? "" : strayed ? ", not repeatable" : ", repeatable";
-    std::fprintf(stderr, "usarnaoqi: ended at %.3f s of simulated time, state %016" PRIx64 "%s\n",
-                 toSeconds(end.time), end.hash, kept);
+    std::fprintf(stderr,
+                 "usarnaoqi: ended at %.3f s of simulated time, state %016" PRIx64
+                 ", run %016" PRIx64 "%s\n",
+                 toSeconds(end.time), end.hash, daemon.runHash(), kept);
+    if (const std::string failure = daemon.recordingFailure(); !failure.empty())
+      std::fprintf(stderr, "usarnaoqi: the recording ends early: %s\n", failure.c_str());
   }
 
   // False when it has ended before.
@@ -261,6 +265,8 @@ void addRun(CLI::App& app) {
                    "Where the files are that the program plays, records and writes on the robot.")
       ->check(CLI::ExistingDirectory);
   command->add_option("--naoqi", options.naoqi, "The NAOqi to be like: 1.12 to 2.9.");
+  command->add_option("--record", options.record,
+                      "Writes the run into this FILE, for `usarnaoqi replay`.");
   command->add_flag("--py2", arguments->python2,
                     "The program is Python 2: it runs converted, from a temporary copy.");
   command->add_option("command", arguments->command, "The program and its arguments, after --.")

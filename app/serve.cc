@@ -85,8 +85,11 @@ void serve(Arguments& arguments) {
   daemon.stopOnSignals();
   daemon.run([&] { printReady(daemon, options); });
   const daemon::LoopState end = daemon.state();
-  std::printf("stopped at %.3f s of simulated time, seed %" PRIu64 ", state %016" PRIx64 "\n",
-              toSeconds(end.time), options.seed, end.hash);
+  std::printf("stopped at %.3f s of simulated time, seed %" PRIu64 ", state %016" PRIx64
+              ", run %016" PRIx64 "\n",
+              toSeconds(end.time), options.seed, end.hash, daemon.runHash());
+  if (const std::string failure = daemon.recordingFailure(); !failure.empty())
+    std::fprintf(stderr, "the recording ends early: %s\n", failure.c_str());
   if (const std::int64_t dropped = daemon.droppedPictures(); dropped > 0)
     std::printf("%" PRId64 " pictures came too late and were not drawn\n", dropped);
 }
@@ -185,6 +188,8 @@ void addServe(CLI::App& app) {
           "`variation`: joint zeros, start pose, floor friction, encoder jitter, IMU noise.\n"
           "The same seed draws the same; 0: no variation.")
       ->capture_default_str();
+  command->add_option("--record", options.record,
+                      "Writes the run into this FILE, for `usarnaoqi replay`.");
   command->add_option("--mode", arguments->mode, "How to integrate: implicit, rk4 or reference.")
       ->capture_default_str();
   command->add_option("--step", options.step, "Length of a physics step [s], 0.001 to 0.005.")

@@ -41,10 +41,11 @@ void setLolaCycle(std::vector<sim::RobotSetup>& robots, const std::vector<LolaOp
   }
 }
 
-runtime::Simulation makeSimulation(const Options& options) {
-  const auto world = loadWorldModel(options.world);
-  std::vector<sim::RobotSetup> setups;
-  for (const RobotOption& robot : robotsOf(options, *world)) {
+runtime::RunStart startOf(const Options& options) {
+  runtime::RunStart start;
+  start.world = loadWorldModel(options.world);
+  std::vector<sim::RobotSetup>& setups = start.robots;
+  for (const RobotOption& robot : robotsOf(options, *start.world)) {
     for (const sim::RobotSetup& other : setups) {
       if (other.name == robot.name) {
         throw InputError("--robot: the name '" + robot.name +
@@ -55,17 +56,19 @@ runtime::Simulation makeSimulation(const Options& options) {
                       placeOf(robot, setups.size()), robot.team});
   }
   setLolaCycle(setups, options.lola);
-  sim::WorldOptions how(fromSeconds(options.step));
-  how.mode = options.mode;
-  how.seed = options.seed;
-  return {world, setups, how};
+  start.step = fromSeconds(options.step);
+  start.mode = options.mode;
+  start.seed = options.seed;
+  return start;
 }
 
 }  // namespace
 
-Daemon::Daemon(const Options& options)
+Daemon::Daemon(const Options& options) : Daemon(options, startOf(options)) {}
+
+Daemon::Daemon(const Options& options, const runtime::RunStart& start)
     : options_(options),
-      simulation_(makeSimulation(options)),
+      simulation_(start.makeSimulation()),
       loop_(simulation_, options.speed,
             [this] {
               cameras_.wake();
@@ -76,6 +79,8 @@ Daemon::Daemon(const Options& options)
         scheduleDelivery();
       }) {
   startClock();
+  simulation_.watch(run_hash_);
+  if (!options.record.empty()) simulation_.watch(recorder_.emplace(options.record, start));
   makeHosts();
   startLola();
   loop_.holdWhile([this] { return cameras_.pendingJobs() > 0; });
@@ -173,6 +178,7 @@ void Daemon::run(const std::function<void()>& ready) {
     io_.run();
   }
   loop_.stop();
+  if (recorder_) recorder_->finish(simulation_);
   cameras_.stop();
   for (auto& host : hosts_) host->close();
 }

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "daemon/camera_loop.h"
@@ -16,6 +17,8 @@
 #include "daemon/robot_host.h"
 #include "daemon/robot_loop.h"
 #include "daemon/world_turns.h"
+#include "runtime/recorder.h"
+#include "runtime/run_hash.h"
 #include "runtime/simulation.h"
 
 namespace nao::daemon {
@@ -64,7 +67,14 @@ class Daemon {
   /// After run(): how far the simulation came.
   LoopState state() const { return *loop_.state().get(); }
 
+  /// After run(): what two runs share only if they went alike.
+  std::uint64_t runHash() const { return run_hash_.value(); }
+
+  /// After run(): why the recording ended before the run, one sentence; empty: it did not.
+  std::string recordingFailure() const { return recorder_ ? recorder_->failure() : ""; }
+
  private:
+  Daemon(const Options& options, const runtime::RunStart& start);
   void scheduleDelivery();
   void deliver();
   void makeHosts();
@@ -79,6 +89,8 @@ class Daemon {
   boost::asio::steady_timer patience_{io_};  // with modules that are to end
   runtime::Simulation simulation_;
   std::unique_ptr<WorldTurns> turns_;  // none outside of lockstep
+  runtime::RunHash run_hash_;
+  std::optional<runtime::Recorder> recorder_;  // none without --record
   RobotLoop loop_;
   CameraLoop cameras_;
   std::unique_ptr<LocalModules> modules_;  // none without --module

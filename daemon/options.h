@@ -60,6 +60,7 @@ struct Options {
   double step = 0.002;  // [s] of the physics
   sim::Mode mode = sim::Mode::Implicit;
   std::uint64_t seed = 0;  // 0: no variation, every run is the same
+  std::string record;      // the run is written into this file; empty: into none
   std::string data_dir;    // clients' files are below it; empty: they have none
   std::string naoqi;       // whose version services and wire are like; empty: the robot's own
   /// Who may see the cameras of LoLA, which ask for no token: this machine, and with `insecure`

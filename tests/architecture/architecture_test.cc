@@ -41,6 +41,7 @@ const std::map<std::string, std::set<std::string>> kOnlyHere = {
     {"tinyxml.h", {"core"}},
     {"tinyxml2", {"motion"}},
     {"zlib.h", {"motion", "validation"}},
+    {"sqlite3.h", {"runtime"}},
     {"nlohmann", {"validation", "naoqi_api"}},
     {"espeak-ng/", {"naoqi_api"}},
     {"ceres/", {"validation"}},

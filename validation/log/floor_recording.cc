@@ -4,6 +4,7 @@
 #include "core/random.h"
 #include "core/world_model.h"
 #include "runtime/simulation.h"
+#include "validation/log/simulated_rows.h"
 
 namespace nao::validation {
 namespace {
@@ -47,10 +48,9 @@ class FloorRun {
   void watch(SimTime begin, double until, LogRun& run) {
     while (toSeconds(simulation_.now() - begin) < until) {
       simulation_.advanceTo(simulation_.now() + robot_.cycle);
-      run.t.push_back(toSeconds(simulation_.now() - begin));
-      writeJoints(run);
-      writeBody(run);
-      writeTruth(run);
+      const motion::RobotPorts& ports = *simulation_.robot(0).ports();
+      addRow(robot_, toSeconds(simulation_.now() - begin), *ports.sensors.get(),
+             ports.state.get()->command, simulation_.world().scene().robots[0].X_WB[0], run);
     }
   }
 
@@ -69,47 +69,6 @@ class FloorRun {
     return request;
   }
 
-  void writeJoints(LogRun& run) {
-    const auto state = simulation_.robot(0).ports()->state.get();
-    const auto sensors = simulation_.robot(0).ports()->sensors.get();
-    for (std::size_t j = 0; j < robot_.jointCount(); ++j) {
-      const Actuator& actuator = robot_.actuators[j];
-      if (actuator.coordinates.empty()) continue;
-      run.columns["cmd." + actuator.name].push_back(state->command.angle[j]);
-      run.columns["cmd_stiffness." + actuator.name].push_back(state->command.stiffness[j]);
-      run.columns["q." + actuator.name].push_back(sensors->angle[j]);
-      run.columns["cur." + actuator.name].push_back(sensors->current[j]);
-    }
-  }
-
-  void writeBody(LogRun& run) {
-    const auto sensors = simulation_.robot(0).ports()->sensors.get();
-    const char* const axes[] = {"x", "y", "z"};
-    const double angles[] = {sensors->angle_x, sensors->angle_y, sensors->angle_z};
-    for (int i = 0; i < 3; ++i) {
-      run.columns[std::string("imu.acc.") + axes[i]].push_back(sensors->accelerometer[i]);
-      run.columns[std::string("imu.gyr.") + axes[i]].push_back(sensors->gyroscope[i]);
-      run.columns[std::string("imu.ang.") + axes[i]].push_back(angles[i]);
-    }
-    const char* const cells[] = {"fl", "fr", "rl", "rr"};
-    for (std::size_t i = 0; i < 4; ++i) {
-      run.columns[std::string("fsr.L.") + cells[i]].push_back(sensors->feet[0].force[i]);
-      run.columns[std::string("fsr.R.") + cells[i]].push_back(sensors->feet[1].force[i]);
-    }
-  }
-
-  void writeTruth(LogRun& run) {
-    const Pose X_WT = simulation_.world().scene().robots[0].X_WB[0];
-    const Eigen::Quaterniond q_WT(X_WT.linear());
-    run.columns["gt.base.x"].push_back(X_WT.translation().x());
-    run.columns["gt.base.y"].push_back(X_WT.translation().y());
-    run.columns["gt.base.z"].push_back(X_WT.translation().z());
-    run.columns["gt.base.qw"].push_back(q_WT.w());
-    run.columns["gt.base.qx"].push_back(q_WT.x());
-    run.columns["gt.base.qy"].push_back(q_WT.y());
-    run.columns["gt.base.qz"].push_back(q_WT.z());
-  }
-
   const RobotModel& robot_;
   runtime::Simulation simulation_;
   motion::RequestId last_id_ = 0;
@@ -126,20 +85,7 @@ std::shared_ptr<const RobotModel> withEffects(const FloorPlan& plan) {
 
 LogSet recordOnFloor(const FloorPlan& plan) {
   const auto robot = withEffects(plan);
-  LogSet set;
-  set.name = "simulated " + robot->name + " on its feet";
-  set.source = "simulated";
-  set.licence = "as the project";
-  set.robot = robot->name;
-  set.version = robot->version;
-  set.environment.floor = "flat";
-  set.clock = {"simulated", "issued", "measured"};
-  set.rate = 1 / toSeconds(robot->cycle);
-  for (const Actuator& actuator : robot->actuators) {
-    if (actuator.coordinates.empty()) continue;
-    set.joints.emplace_back();
-    set.joints.back().name = actuator.name;
-  }
+  LogSet set = simulatedSet(*robot);
   for (const FloorMotion& motion : plan.motions) {
     for (int repeat = 0; repeat < plan.repeats; ++repeat) {
       LogRun& run = set.runs.emplace_back();

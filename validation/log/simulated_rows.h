@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/robot_io.h"
+#include "core/robot_model.h"
+#include "validation/log/robot_log.h"
+
+namespace nao::validation {
+
+/// Adds to a run what a simulated robot was told and sensed at `t` [s], and where its torso really
+/// was: a row of all columns.
+void addRow(const RobotModel& robot, double t, const SensorFrame& sensors,
+            const JointCommand& command, const Pose& X_WT, LogRun& run);
+
+/// A set of a simulated robot on its feet, without runs.
+LogSet simulatedSet(const RobotModel& robot);
+
+}  // namespace nao::validation
