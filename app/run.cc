@@ -1,5 +1,7 @@
 #include <unistd.h>
 
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
@@ -120,7 +122,8 @@ class Run {
   }
 
   int beWorld() {
-    ::setpgid(0, 0);  // Ctrl-C is for the program
+    ::setpgid(0, 0);  // Ctrl-C is for the program, and standard output, too
+    spdlog::set_default_logger(spdlog::stderr_logger_mt("usarnaoqi"));
     try {
       daemon::raiseDescriptorLimit();
       daemon::Daemon daemon(arguments_.options);

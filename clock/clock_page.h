@@ -18,6 +18,9 @@ constexpr std::int64_t kMillisecond = 1000 * kMicrosecond;
 constexpr std::int64_t kSecond = 1000 * kMillisecond;
 constexpr std::int64_t kNever = INT64_MAX;
 
+/// The queue of those who wait for signals alone; no address is like it.
+constexpr std::uint64_t kSignals = 1;
+
 /// Where the clocks begin. [ns]
 constexpr std::int64_t kMonotonicStart = 1000 * kSecond;
 

@@ -79,9 +79,8 @@ int waitFollowing(pthread_cond_t* condition, pthread_mutex_t* mutex, std::int64_
   return error == ETIMEDOUT && pageNow() < deadline ? 0 : error;
 }
 
-// The interpreter's own wait for its lock: as long as it wanted, of the wall's time.
-int waitReally(pthread_cond_t* condition, pthread_mutex_t* mutex, std::int64_t deadline) {
-  const std::int64_t span = deadline - pageNow();
+// As long as was asked for, of the wall's time.
+int waitReally(pthread_cond_t* condition, pthread_mutex_t* mutex, std::int64_t span) {
   timespec until{};
   NAO_REAL(clock_gettime)(CLOCK_MONOTONIC, &until);
   until = toTimespec(fromTimespec(until) + (span > 0 ? span : 0));
@@ -89,9 +88,19 @@ int waitReally(pthread_cond_t* condition, pthread_mutex_t* mutex, std::int64_t d
                                                                 &until);
 }
 
+// Who has the interpreter's lock lets go of it when it next waits, and needs its turn for that.
+// Whoever wants it looks again in any case.
+int waitForInterpreter(pthread_cond_t* condition, pthread_mutex_t* mutex, std::int64_t deadline) {
+  if (!taker()) return waitReally(condition, mutex, deadline - pageNow());
+  if (anyBeside()) return waitReally(condition, mutex, 5 * kMillisecond);  // it may have the lock
+  NAO_REAL(pthread_mutex_unlock)(mutex);
+  letOthers();
+  return NAO_REAL(pthread_mutex_lock)(mutex);
+}
+
 int timedWait(pthread_cond_t* condition, pthread_mutex_t* mutex, std::int64_t deadline,
               const void* caller) {
-  if (isInterpreter(caller)) return waitReally(condition, mutex, deadline);
+  if (isInterpreter(caller)) return waitForInterpreter(condition, mutex, deadline);
   if (taker()) return wait(condition, mutex, deadline);
   return waitFollowing(condition, mutex, deadline);
 }

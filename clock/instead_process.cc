@@ -52,17 +52,6 @@ pid_t awaitChild(pid_t child, int* status, int options, struct rusage* usage) {
   return found;
 }
 
-/// Calls that wait for what we do not see.
-template <class Call>
-auto beside(Call call) {
-  if (page()) stepAside();
-  const auto result = call();
-  const int error = errno;
-  if (page()) stepBack();
-  errno = error;
-  return result;
-}
-
 timeval toTimeval(std::int64_t ns) { return {ns / kSecond, ns % kSecond / kMicrosecond}; }
 std::int64_t fromTimeval(const timeval& time) {
   return time.tv_sec * kSecond + time.tv_usec * kMicrosecond;
@@ -113,8 +102,31 @@ NAO_INSTEAD int posix_spawnp(pid_t* child, const char* file,
   });
 }
 
+// By calls that take turns; the C library's own would wait unseen.
 NAO_INSTEAD int system(const char* command) {
-  return beside([&] { return NAO_REAL(system)(command); });
+  if (!page() || !command) return NAO_REAL(system)(command);
+  sigset_t child_ended;
+  sigset_t before;
+  ::sigemptyset(&child_ended);
+  ::sigaddset(&child_ended, SIGCHLD);
+  ::pthread_sigmask(SIG_BLOCK, &child_ended, &before);
+  const auto interrupt = ::signal(SIGINT, SIG_IGN);
+  const auto quit = ::signal(SIGQUIT, SIG_IGN);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::signal(SIGINT, interrupt);
+    ::signal(SIGQUIT, quit);
+    ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    ::execl("/bin/sh", "sh", "-c", command, nullptr);
+    ::_exit(127);
+  }
+  int status = -1;
+  while (child > 0 && ::wait4(child, &status, 0, nullptr) < 0 && errno == EINTR) {
+  }
+  ::signal(SIGINT, interrupt);
+  ::signal(SIGQUIT, quit);
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  return status;
 }
 
 NAO_INSTEAD pid_t wait4(pid_t child, int* status, int options, struct rusage* usage) noexcept {
@@ -171,14 +183,6 @@ NAO_INSTEAD unsigned alarm(unsigned seconds) noexcept {
   itimerval before{};
   ::setitimer(ITIMER_REAL, &value, &before);
   return static_cast<unsigned>(before.it_value.tv_sec + (before.it_value.tv_usec > 0 ? 1 : 0));
-}
-
-NAO_INSTEAD int pause() {
-  if (!page() || !taker()) return NAO_REAL(pause)();
-  while (sleepUntil(kNever) != Woken::Interrupted) {
-  }
-  errno = EINTR;
-  return -1;
 }
 
 NAO_INSTEAD void _exit(int code) {

@@ -15,7 +15,7 @@ namespace nao::clock {
 namespace {
 
 constexpr int kDescriptors = 65536;
-constexpr int kLooks = 2000;  // of 100 us: bytes that do not come by then were read unseen
+constexpr int kLooks = 20000;  // of 100 us: bytes that do not come by then were read unseen
 
 std::uint16_t links_of[kDescriptors];  // by descriptor: number + 1 of the link; 0: none
 int highest = -1;
@@ -88,6 +88,7 @@ void settle(Link& link, int descriptor) {
     rawCall(SYS_clock_nanosleep, CLOCK_MONOTONIC, 0, reinterpret_cast<long>(&moment), 0);
   }
   link.taken = link.given.load();  // and not waited for again
+  page()->strayed.fetch_add(1);
 }
 
 }  // namespace

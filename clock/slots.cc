@@ -119,6 +119,15 @@ Slot* findThread(std::uint64_t handle) {
   return found;
 }
 
+bool anyBeside() {
+  ClockPage& at = *page();
+  for (std::uint32_t i = 0; i < at.slots_used.load(); ++i) {
+    const Slot& slot = at.slots[i];
+    if (slot.process.load() == self() && slot.state.load() == SlotState::Beside) return true;
+  }
+  return false;
+}
+
 void leaveProcess() {
   ClockPage* at = page();
   if (!at || at->mode != Mode::Lockstep) return;

@@ -144,6 +144,16 @@ void yieldTurn() {
   run(*slot);
 }
 
+void letOthers() {
+  Slot* slot = taker();
+  if (!slot) return;
+  const Inside guard;
+  slot->deadline = kNever;
+  slot->looked = page()->happened.load();
+  waitForTurn(*slot, SlotState::Trying);
+  slot->state = SlotState::Running;
+}
+
 Slot* leaveTurns() {
   Slot* slot = own;
   own = nullptr;
@@ -175,9 +185,10 @@ Woken waitFor(Waiting& waiting, std::int64_t deadline) {
   Slot* slot = taker();
   if (!slot) return follow(waiting, deadline);
   const Inside guard;
+  bool there = false;
   for (bool waited = false;; waited = true) {
     settleLinks();
-    if (waiting.isThere()) break;
+    if (there || waiting.isThere()) break;
     if (page()->now.load() >= deadline) {
       if (waited) run(*slot);
       return Woken::Late;
@@ -185,7 +196,8 @@ Woken waitFor(Waiting& waiting, std::int64_t deadline) {
     looks = 0;
     slot->deadline = deadline;
     slot->looked = page()->happened.load();
-    if (waitForTurn(*slot, SlotState::Trying) && !waiting.isThere()) {
+    const bool interrupted = waitForTurn(*slot, SlotState::Trying);
+    if (interrupted && !(there = waiting.isThere())) {
       run(*slot);
       return Woken::Interrupted;
     }
@@ -237,19 +249,6 @@ int signalQueue(const void* queue, bool all) {
     ++found;
     if (!all) return found;
   }
-}
-
-void stepAside() {
-  Slot* slot = taker();
-  if (!slot) return;
-  const Inside guard;
-  slot->state = SlotState::Beside;
-  page()->happened.fetch_add(1);
-  pass(*slot);
-}
-
-void stepBack() {
-  if (own && !inside) regain(*own);
 }
 
 void begin(Slot& slot) {

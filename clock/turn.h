@@ -38,8 +38,12 @@ class Waiting {
 /// Waits until it is there or page time `deadline` has come; `looks` at it at once at least.
 Woken waitFor(Waiting& waiting, std::int64_t deadline);
 
-/// The others first.
+/// The others first, as far as they may go on.
 void yieldTurn();
+/// The same, and the world if nothing has happened since the last time.
+void letOthers();
+/// Whether a thread of this process goes on outside of all turns.
+bool anyBeside();
 
 /// Lets time pass until `deadline`; never Ready.
 Woken sleepUntil(std::int64_t deadline);
@@ -51,10 +55,6 @@ void enterQueue(const void* queue);
 Woken waitInQueue(std::int64_t deadline);
 /// Signals the first who waits there, or all. How many there were.
 int signalQueue(const void* queue, bool all);
-
-/// A thread leaves the turns for a call that may block on what we do not see, and comes back.
-void stepAside();
-void stepBack();
 
 /// Threads: a slot for one that is to be made; the new one begins and ends; who joins.
 Slot* makeSlot();

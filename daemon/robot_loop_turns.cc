@@ -29,7 +29,10 @@ void RobotLoop::showTime() {
 void RobotLoop::alternateWith(WorldTurns& turns, const std::function<bool()>& ended) {
   turns_ = &turns;
   pace_.restart(pace_.speed(), simulation_.now(), std::chrono::steady_clock::now());
+  advanceTo(nextBeat());  // there is something to be seen of the robots when clients come
   settle();
+  turns_->passTo(simulation_.now().time_since_epoch());
+  turns_->setDue(dueOfTurns());
   while (!ended()) takeTurn();
   paused_ = true;
   publish();
@@ -40,7 +43,7 @@ void RobotLoop::takeTurn() {
   const bool heard = turns_->hearClients();
   const bool told = heard && settle();
   if (heard && told) turns_->pass(kCallCost);
-  if (!told) goOnTo(std::min(dueOfTurns(), std::max(turns_->firstDeadline(), turns_->now())));
+  if (!told && turns_->everybodyWaits()) goOnTo(std::min(dueOfTurns(), turns_->firstDeadline()));
   while (turns_->now() >= dueOfTurns()) {
     beatOfTurns();
     settle();

@@ -102,6 +102,12 @@ void WorldTurns::forget(std::int32_t process) {
   }
 }
 
+// To who waits for signals: one has come, or comes once it lets them in.
+void WorldTurns::tellOfDeath() {
+  for (std::uint32_t i = 0; i < page_.slots_used.load(); ++i)
+    if (page_.slots[i].queue == clock::kSignals) page_.slots[i].signalled = 1;
+}
+
 bool WorldTurns::awaitLeavers() {
   bool any = false;
   for (std::uint32_t i = 0; i < page_.slots_used.load(); ++i) {
@@ -113,6 +119,7 @@ bool WorldTurns::awaitLeavers() {
     forget(process);
     any = true;
   }
+  if (any) tellOfDeath();
   return any;
 }
 
@@ -132,6 +139,7 @@ void WorldTurns::watchHolder() {
   const std::int32_t process = slot.process.load();
   if (process > 0 && !isAlive(process)) {
     forget(process);
+    tellOfDeath();
     return revoke(holder, nullptr);
   }
   const std::uint64_t passes = page_.passes.load();
@@ -144,8 +152,9 @@ void WorldTurns::watchHolder() {
     if (held > kLongStart) revoke(holder, "has not begun");
     return;
   }
-  if (page_.began.load() == 0 || held < kLongTurn) return;
-  const bool busy = processorTime(process, slot.thread.load()) - watch_.busy > kBusy;
+  if (held < kLongTurn) return;
+  const bool busy = page_.began.load() != 0 &&  // before, it may take its time
+                    processorTime(process, slot.thread.load()) - watch_.busy > kBusy;
   if (busy || isAsleep(process, slot.thread.load())) {
     revoke(holder, busy ? "computes, or spins, without looking at a clock"
                         : "waits for something that is not seen here");
@@ -158,13 +167,19 @@ void WorldTurns::revoke(std::uint32_t holder, const char* why) {
   if (why) {
     slot.state = slot.thread.load() == 0 ? clock::SlotState::Free : clock::SlotState::Beside;
     page_.strayed.fetch_add(1);
-    spdlog::warn(
-        "lockstep: thread {} of process {} has had the turn for {} s and {}: it goes on "
-        "beside the others, and this run is not repeatable",
-        slot.thread.load(), slot.process.load(),
-        std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - watch_.since).count(), why);
+    report(slot, why);
   }
   page_.holder.compare_exchange_strong(holder, clock::kWorld);
+}
+
+// Once for each thread: the first time tells all.
+void WorldTurns::report(const clock::Slot& slot, const char* why) {
+  if (!reported_.insert(slot.order).second) return;
+  spdlog::warn(
+      "lockstep: thread {} of process {} had the turn for {} s and {}: it goes on beside the "
+      "others, and this run is not repeatable",
+      slot.thread.load(), slot.process.load(),
+      std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - watch_.since).count(), why);
 }
 
 }  // namespace nao::daemon

@@ -2,6 +2,7 @@
 
 #include <boost/asio/io_context.hpp>
 #include <chrono>
+#include <set>
 
 #include "clock/clock_page.h"
 #include "core/sim_time.h"
@@ -36,6 +37,9 @@ class WorldTurns {
   void pass(Duration span) { page_.now += span.count(); }
   void passTo(Duration time);
 
+  /// Whether nobody has anything to do, nor to look at again.
+  bool everybodyWaits() const { return clock::nextHolder(page_) == clock::kWorld; }
+
   /// When the next waiting thread wants to go on; max: none says.
   Duration firstDeadline() const { return Duration(clock::firstDeadline(page_)); }
 
@@ -56,8 +60,10 @@ class WorldTurns {
   bool anyoneLives() const;
   void buryDead();
   bool awaitLeavers();
+  void tellOfDeath();
   void watchHolder();
   void revoke(std::uint32_t holder, const char* why);
+  void report(const clock::Slot& slot, const char* why);
   void forget(std::int32_t process);
 
   clock::ClockPage& page_;
@@ -65,7 +71,8 @@ class WorldTurns {
   TurnGate gate_;
   Watch watch_;
   std::chrono::steady_clock::time_point next_look_{};
-  std::uint64_t given_ = 0;  // to clients, when last told
+  std::set<std::uint64_t> reported_;  // threads, by the order of their slots
+  std::uint64_t given_ = 0;           // to clients, when last told
 };
 
 }  // namespace nao::daemon

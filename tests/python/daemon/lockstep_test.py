@@ -1,0 +1,124 @@
+"""Programs in lockstep with their world: their time is its time, and every run is the same."""
+
+import os
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from programs import PATIENCE, PROGRAM, environment, needsDaemon
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+CLOCK = os.path.join(HERE, "..", "..", "clock")
+BUILT = os.path.join(os.path.dirname(os.path.abspath(PROGRAM)), "tests", "clock")
+PYTHON = sys.executable
+
+
+def start(*words, options=()):
+    return subprocess.Popen([PROGRAM, "run", *options, "--", *words], cwd=CLOCK,
+                            env=environment(), text=True, stdout=subprocess.PIPE,
+                            stderr=subprocess.PIPE)
+
+
+def course(*words, options=()):
+    """All that a run shows: what the program prints and how the world ends."""
+    process = start(*words, options=options)
+    out, err = process.communicate(timeout=PATIENCE)
+    return process.returncode, out, err
+
+
+@needsDaemon
+class LockstepTest(unittest.TestCase):
+    def expectSame(self, *words):
+        first = course(*words)
+        self.assertEqual(first[0], 0, first)
+        self.assertRegex(first[2], "state [0-9a-f]{16}, run [0-9a-f]{16}, repeatable")
+        hogs = [subprocess.Popen([PYTHON, "-c", "while True: pass"]) for _ in range(2)]
+        try:
+            self.assertEqual(course(*words), first)
+            self.assertEqual(course(*words, options=["--speed", "5"]), first)
+        finally:
+            for hog in hogs:
+                hog.kill()
+                hog.wait()
+
+    def testEveryFunctionThatWaitsTakesSimulatedTime(self):
+        for probe in ["clocks", "sleeps", "descriptors", "locks", "futexes", "processes", "spins"]:
+            with self.subTest(probe):
+                code, out, err = course(os.path.join(BUILT, "clock_probe"), probe)
+                self.assertEqual((code, out), (0, "1 probes, 0 failures\n"), err)
+
+    def testAClientThatSleepsAndPollsIsTheSameEveryTime(self):
+        self.expectSame(PYTHON, "sleeps_and_polls.py")
+
+    def testAClientOfTwoThreadsIsTheSameEveryTime(self):
+        self.expectSame(PYTHON, "two_threads.py")
+
+    def testAClientInCppIsTheSameEveryTime(self):
+        self.expectSame(os.path.join(BUILT, "clock_two_threads"))
+
+    def testAProgramOfSeveralProcessesIsTheSameEveryTime(self):
+        self.expectSame("sh", "-c", "for i in 1 2 3; do sleep 0.$i & done; wait; date +%s.%N;"
+                                    "x=$(sleep 1; date +%N); echo $x")
+
+    def testTimeIsSimulatedWithoutLockstepToo(self):
+        text = "import time; t = time.time(); time.sleep(20); print(time.time() - t)"
+        code, out, err = course(PYTHON, "-c", text, options=["--no-lockstep", "--speed", "20"])
+        self.assertEqual(code, 0, err)
+        self.assertTrue(20 <= float(out) < 40, out)  # the wall has a part in it: at most 1 s
+
+    def testTenMinutesPass(self):
+        text = "import time; t = time.time(); time.sleep(600); print(time.time() - t)"
+        self.assertEqual(course(PYTHON, "-c", text)[:2], (0, "600.0\n"))
+
+    def testASpinIsReportedAndDoesNotHoldTheOthersUp(self):
+        text = ("import threading, time\n"
+                "done = []\n"
+                "threading.Thread(target=lambda: (time.sleep(1), done.append(1))).start()\n"
+                "import sys; sys.setswitchinterval(0.005)\n"
+                "while not done: pass\n"
+                "print('over')\n")
+        code, out, err = course(PYTHON, "-c", text)
+        self.assertEqual((code, out), (0, "over\n"), err)
+        self.assertIn("computes, or spins, without looking at a clock", err)
+        self.assertIn("not repeatable", err)
+
+    def testAProgramThatBringsItsOwnLibraryIsRefusedLockstep(self):
+        with tempfile.TemporaryDirectory() as folder:
+            source = os.path.join(folder, "own.c")
+            with open(source, "w", encoding="utf-8") as file:
+                file.write("int main() { return 4; }\n")
+            program = os.path.join(folder, "own")
+            if subprocess.run(["cc", "-static", source, "-o", program], check=False,
+                              capture_output=True).returncode != 0:
+                self.skipTest("no static C library")
+            code, _, err = course(program)
+            self.assertEqual(code, 4)
+            self.assertIn("is linked statically: it keeps its own time", err)
+
+    def testAWorldThatIsKilledTakesItsProgramAlong(self):
+        process = start(PYTHON, "-u", "-c",
+                        "import os, time\nprint(os.getpid())\ntime.sleep(1e9)\n",
+                        options=["--speed", "1"])
+        program = int(process.stdout.readline())
+        with open("/proc/%d/task/%d/children" % (process.pid, process.pid)) as file:
+            children = [int(child) for child in file.read().split()]
+        self.assertIn(program, children)
+        children.remove(program)
+        os.kill(children[0], signal.SIGKILL)
+        _, err = process.communicate(timeout=PATIENCE)
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("the world ended before the program did", err)
+        self.assertFalse(os.path.exists("/proc/%d" % program))
+
+    def testAKilledProcessOfAProgramIsNotWaitedFor(self):
+        script = "python=$1; $python -c 'import os; os.kill(os.getpid(), 9)'; sleep 2; echo $?"
+        code, out, err = course("sh", "-c", script, "sh", PYTHON)
+        self.assertEqual((code, out), (0, "0\n"), err)
+        self.assertTrue(re.search("ended at [23]", err), err)
+
+
+if __name__ == "__main__":
+    unittest.main()
