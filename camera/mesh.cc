@@ -92,6 +92,10 @@ int addRing(Mesh& mesh, const std::vector<Eigen::Vector2d>& circle, const Mesh::
 void addLid(Mesh& mesh, const std::vector<Eigen::Vector2d>& circle, int side) {
   const int corners = static_cast<int>(circle.size());
   const int base = addRing(mesh, circle, unitRing(Vec3(1, 0, 0), Vec3(0, 0, side), side));
+  for (int i = 0; i < corners; ++i) {
+    Mesh::Vertex& vertex = mesh.vertices[static_cast<std::size_t>(base + i)];
+    vertex.texture = onFace(vertex.corner, vertex.normal);
+  }
   for (int i = 1; i + 1 < corners; ++i) {
     if (side > 0) {
       mesh.triangles.push_back({base, base + i, base + i + 1});
@@ -101,12 +105,24 @@ void addLid(Mesh& mesh, const std::vector<Eigen::Vector2d>& circle, int side) {
   }
 }
 
+/// A picture goes once around a cylinder, upright, from where its x axis comes out; a lid shows
+/// its middle, as a box's top does.
+void lookAround(Mesh& mesh, int ring, int corners, double down) {
+  for (int i = 0; i < corners; ++i)
+    mesh.vertices[static_cast<std::size_t>(ring + i)].texture = {double(i) / (corners - 1), down};
+}
+
 Mesh makeCylinder(int corners) {
   const auto circle = unitCircle(corners);
+  auto closed = circle;  // its first corner again, where the picture ends
+  closed.push_back(circle.front());
+  const int around = static_cast<int>(closed.size());
   Mesh mesh;
-  const int lower = addRing(mesh, circle, unitRing(Vec3(1, 0, 0), Vec3(1, 0, 0), -1));
-  const int upper = addRing(mesh, circle, unitRing(Vec3(1, 0, 0), Vec3(1, 0, 0), 1));
-  addBand(mesh, lower, upper, corners);
+  const int lower = addRing(mesh, closed, unitRing(Vec3(1, 0, 0), Vec3(1, 0, 0), -1));
+  const int upper = addRing(mesh, closed, unitRing(Vec3(1, 0, 0), Vec3(1, 0, 0), 1));
+  lookAround(mesh, lower, around, 1);
+  lookAround(mesh, upper, around, 0);
+  addBand(mesh, lower, upper, around);
   addLid(mesh, circle, -1);
   addLid(mesh, circle, 1);
   linkEdges(mesh);

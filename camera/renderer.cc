@@ -209,7 +209,9 @@ void Renderer::paintItems(const View& view, const GroundForms& ground) {
     sphere.color = item->color;
     sphere.is_flat = labels_ || item->glows;
     sphere.has_hard_rim = labels_;
-    if (item->has_patches) sphere.patches_R_CS = item->X_CS.linear();
+    sphere.has_patches = item->has_patches;
+    sphere.texture = labels_ ? nullptr : item->shape->texture.get();
+    sphere.R_CS = item->X_CS.linear();
     paintSphere(sphere, view.lens, lamp_C, ground.inverseDepth(), raster_);
   }
   for (const SoftEdge& edge : edges_) soften(edge, ground.inverseDepth(), raster_);

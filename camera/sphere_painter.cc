@@ -1,6 +1,7 @@
 #include "camera/sphere_painter.h"
 
 #include "camera/light.h"
+#include "camera/texture_sampler.h"
 
 namespace nao::camera {
 namespace {
@@ -21,6 +22,29 @@ double patchCover(const Vec3& normal_S, double pixel) {
   const double cosine = std::max({kShort * n.y() + kLong * n.z(), kShort * n.z() + kLong * n.x(),
                                   kShort * n.x() + kLong * n.y()});
   return coverage((cosine - kPatchCosine) / (kPatchSine * pixel));
+}
+
+/// The angle of a direction from x, 0 to 2 pi, to 1e-4: the arc tangent by a polynomial
+/// (Abramowitz and Stegun, 4.4.49), as the C library's differs between machines.
+double angleOf(double x, double y) {
+  const double a = std::abs(x), b = std::abs(y);
+  const double t = std::min(a, b) / std::max({a, b, 1e-30});
+  const double t2 = t * t;
+  const double flat =
+      t * (0.9998660 + t2 * (-0.3302995 + t2 * (0.1801410 + t2 * (-0.0851330 + t2 * 0.0208351))));
+  const double in_quarter = b > a ? M_PI / 2 - flat : flat;
+  const double in_half = x < 0 ? M_PI - in_quarter : in_quarter;
+  return y < 0 ? 2 * M_PI - in_half : in_half;
+}
+
+/// A globe's map: right by longitude from where x comes out, down by latitude from the top.
+Pixel mapAt(const Texture& texture, const Vec3& normal_S, double pixel) {
+  const double across = std::sqrt(normal_S.x() * normal_S.x() + normal_S.y() * normal_S.y());
+  const double down = angleOf(normal_S.z(), across) / M_PI;
+  const double right = angleOf(normal_S.x(), normal_S.y()) / (2 * M_PI);
+  const Texture::Level& whole = texture.levels.front();
+  const double size = pixel * std::max(whole.height / M_PI, whole.width / (2 * M_PI));
+  return sampleAt(texture, right, down, size);
 }
 
 // The ray d through a pixel hits the sphere c, r where |t d - c| = r:
@@ -44,13 +68,17 @@ struct Painter {
 
   Pixel paintAt(const Vec3& normal, double depth) const {
     if (sphere.is_flat) return sphere.color;
-    Pixel color = sphere.color;
-    if (sphere.patches_R_CS) {
-      const double pixel = depth / (focal_length * sphere.radius);  // its size on the unit sphere
-      const Vec3 normal_S = sphere.patches_R_CS->transpose() * normal;
-      color = blend(color, kPatch, static_cast<int>(256 * patchCover(normal_S, pixel) + 0.5));
-    }
+    const Pixel color = colorAt(normal, depth);
     return lit(color, static_cast<int>(lightStrength(std::min(1.0, normal.dot(lamp_C)))));
+  }
+
+  Pixel colorAt(const Vec3& normal, double depth) const {
+    if (!sphere.has_patches && sphere.texture == nullptr) return sphere.color;
+    const double pixel = depth / (focal_length * sphere.radius);  // its size on the unit sphere
+    const Vec3 normal_S = sphere.R_CS.transpose() * normal;
+    if (sphere.texture != nullptr) return mapAt(*sphere.texture, normal_S, pixel);
+    const int cover = static_cast<int>(256 * patchCover(normal_S, pixel) + 0.5);
+    return blend(sphere.color, kPatch, cover);
   }
 
   void paintPixel(int column, int row, Raster& raster) const {

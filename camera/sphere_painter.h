@@ -1,9 +1,8 @@
 #pragma once
 
-#include <optional>
-
 #include "camera/raster.h"
 #include "camera/view.h"
+#include "core/texture.h"
 
 namespace nao::camera {
 
@@ -14,7 +13,9 @@ struct SphereInView {
   Pixel color = 0;
   bool is_flat = false;              // no light falls on it
   bool has_hard_rim = false;         // each pixel is painted as a whole or not at all
-  std::optional<Mat3> patches_R_CS;  // a soccer ball turned so: twelve black patches
+  bool has_patches = false;          // a soccer ball's: twelve black ones
+  const Texture* texture = nullptr;  // in place of the colour, laid on as a globe's map
+  Mat3 R_CS = Mat3::Identity();      // how patches and texture are turned
 };
 
 /// Paints a sphere by its exact outline, shaded pixel by pixel, its rim by the part of the pixel

@@ -44,6 +44,13 @@ LevelMix levelFor(double size, std::size_t levels) {
 
 }  // namespace
 
+Pixel sampleAt(const Texture& texture, double right, double down, double size) {
+  const LevelMix mix = levelFor(size, texture.levels.size());
+  const Pixel fine = mixed(texture.levels[mix.level], right, down, std::clamp(size, 0.01, 1.0));
+  if (mix.next_weight == 0) return fine;
+  return blend(fine, mixed(texture.levels[mix.level + 1], right, down, 1), mix.next_weight);
+}
+
 Pixel sample(const Texture& texture, const LinearForm& right, const LinearForm& down,
              const LinearForm& inverse_depth, double u, double v) {
   const Texture::Level& whole = texture.levels.front();
@@ -56,10 +63,7 @@ Pixel sample(const Texture& texture, const LinearForm& right, const LinearForm& 
   const double s_v = (right.v - s * inverse_depth.v) * depth * whole.width;
   const double t_v = (down.v - t * inverse_depth.v) * depth * whole.height;
   const double size = std::sqrt(std::max(s_u * s_u + t_u * t_u, s_v * s_v + t_v * t_v));
-  const LevelMix mix = levelFor(size, texture.levels.size());
-  const Pixel fine = mixed(texture.levels[mix.level], s, t, std::clamp(size, 0.01, 1.0));
-  if (mix.next_weight == 0) return fine;
-  return blend(fine, mixed(texture.levels[mix.level + 1], s, t, 1), mix.next_weight);
+  return sampleAt(texture, s, t, size);
 }
 
 }  // namespace nao::camera

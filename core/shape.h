@@ -19,7 +19,7 @@ struct Shape {
                                  // (capsule: between the centres of its caps)
   Color color;
   std::shared_ptr<const nao::Hull> hull;  // of a Hull, in the shape's frame
-  // For the eye alone: triangles in place of a Hull's faces, and paint on a box or on triangles.
+  // For the eye alone: triangles in place of a Hull's faces; paint, not on capsules and hulls.
   std::shared_ptr<const ObjMesh> mesh;
   std::shared_ptr<const Texture> texture;
 };

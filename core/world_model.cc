@@ -24,8 +24,9 @@
 //   rings:      [{center: [x, y], radius, width: 0.05, color: white}]
 //   boxes:      [{name, position, rpy: zero, size: [x, y, z], color: grey, material: <name>,
 //                 texture: <file>}]              # Netpbm, on each face; beside the world's file
-//   spheres:    [{name, position, radius, color, material}]
-//   cylinders:  [{name, position, rpy, radius, height, color, material}]  # height along local z
+//   spheres:    [{name, position, rpy, radius, color, material, texture}]  # as a globe's map
+//   cylinders:  [{name, position, rpy, radius, height, color, material,  # height along local z
+//                 texture}]                      # once around, from local x on; and on the lids
 //   hulls:      [{name, file, scale: 1, position, rpy, color, material}]  # convex hull of an OBJ's
 //                                                  # corners, its axes; beside the world's file
 //                 faces: false, texture: <file>}]  # faces: seen as in the file, not as its hull
@@ -194,9 +195,11 @@ void readObstacles(Config& config, const Materials& materials, WorldModel& world
   });
   read("spheres", Shape::Kind::Sphere, [](Config& entry, Shape& shape) {
     shape.size = Vec3(entry.number("radius", kPositive), 0, 0);
+    readPaint(entry, shape);
   });
   read("cylinders", Shape::Kind::Cylinder, [](Config& entry, Shape& shape) {
     shape.size = Vec3(entry.number("radius", kPositive), 0, entry.number("height", kPositive));
+    readPaint(entry, shape);
   });
   read("hulls", Shape::Kind::Hull, readHull);
 }

@@ -81,6 +81,74 @@ TEST(Looks, FarTexturesAreTheirMean) {
   }
 }
 
+/// Twelve columns and six rows, each of a brightness of its own.
+std::shared_ptr<const Texture> chart() {
+  std::vector<std::uint32_t> pixels;
+  for (int row = 0; row < 6; ++row) {
+    for (int column = 0; column < 12; ++column)
+      pixels.push_back(static_cast<std::uint32_t>(20 * column | (40 * row) << 8));
+  }
+  return std::make_shared<const Texture>(makeTexture(12, 6, pixels));
+}
+
+/// Whether the texture's column and row are seen at a point of a shape. Light takes up to a fifth.
+void expectChartAt(const View& view, const Raster& raster, const Vec3& p_W, double right,
+                   double down) {
+  const auto spot = view.lens.project(view.X_WC.inverse() * p_W);
+  ASSERT_TRUE(spot);
+  const Pixel pixel = raster.colors(static_cast<int>(spot->y()))[static_cast<int>(spot->x())];
+  const int red = 20 * static_cast<int>(12 * right), green = 40 * static_cast<int>(6 * down);
+  EXPECT_LE(channel(pixel, 0), red) << right << " " << down;
+  EXPECT_GE(channel(pixel, 0), 0.78 * red - 1) << right << " " << down;
+  EXPECT_LE(channel(pixel, 1), green) << right << " " << down;
+  EXPECT_GE(channel(pixel, 1), 0.78 * green - 1) << right << " " << down;
+}
+
+// In the middles of the chart's fields as a robot sees them that looks along x.
+TEST(Looks, ATextureGoesAroundACylinder) {
+  SceneFrame scene = emptyScene();
+  Shape post = makeShape(Shape::Kind::Cylinder, {0.3, 0, 1.2}, {0, 0, 255}, {1, 0, 1});
+  post.texture = chart();
+  worldOf(scene).obstacles.push_back({"post", post, {}});
+  const View view = viewFrom({-0.5, 0, 1}, 0);
+  Renderer renderer;
+  const Raster& raster = renderer.render(scene, view);
+  for (int column = 4; column < 8; ++column) {
+    for (int row = 1; row < 5; ++row) {
+      const double right = (column + 0.5) / 12, down = (row + 0.5) / 6;
+      const double angle = 2 * M_PI * right;
+      // A polygon of 32 corners is up to 0.5 % inside the circle.
+      const Vec3 p_S(0.2985 * std::cos(angle), 0.2985 * std::sin(angle), 0.6 - 1.2 * down);
+      expectChartAt(view, raster, Vec3(1, 0, 1) + p_S, right, down);
+    }
+  }
+}
+
+TEST(Looks, ATextureGoesAroundASphereAsAGlobesMap) {
+  SceneFrame scene = emptyScene();
+  Shape globe = makeShape(Shape::Kind::Sphere, {0.4, 0, 0}, {0, 0, 255}, {1, 0, 1});
+  globe.X_BS.linear() = rotationFromRpy(0, 0.3, 1);
+  globe.texture = chart();
+  worldOf(scene).obstacles.push_back({"globe", globe, {}});
+  const View view = viewFrom({-0.5, 0, 1}, 0);
+  Renderer renderer;
+  const Raster& raster = renderer.render(scene, view);
+  int seen = 0;
+  for (int column = 0; column < 12; ++column) {
+    for (int row = 0; row < 6; ++row) {
+      const double right = (column + 0.5) / 12, down = (row + 0.5) / 6;
+      const double across = 0.4 * std::sin(M_PI * down), angle = 2 * M_PI * right;
+      const Vec3 p_S(across * std::cos(angle), across * std::sin(angle),
+                     0.4 * std::cos(M_PI * down));
+      const Vec3 p_W = globe.X_BS * p_S;
+      if (p_W.x() > 0.8) continue;  // on the other side, or near the rim
+      ++seen;
+      expectChartAt(view, raster, p_W, right, down);
+    }
+  }
+  EXPECT_GT(seen, 10);
+}
+
 TEST(Looks, ASoccerBallHasTwelvePatchesThatTurnWithIt) {
   SceneFrame scene = emptyScene();
   SceneFrame::Ball ball{0.05, {1, 0, 1}, {235, 235, 235}, Mat3::Identity(), true};

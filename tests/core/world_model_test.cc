@@ -249,6 +249,8 @@ TEST(WorldModel, WhatMeetsTheEyeIsRead) {
       folder.write("world.yaml",
                    "light: 0.5\nground: {grain: 0.2}\n"
                    "boxes:\n  - {position: [0, 0, 0], size: [1, 1, 1], texture: paint.pgm}\n"
+                   "spheres:\n  - {position: [0, 0, 0], radius: 1, texture: paint.pgm}\n"
+                   "cylinders:\n  - {radius: 1, height: 1, texture: paint.pgm}\n"
                    "hulls:\n  - {file: tip.obj, scale: 2, position: [1, 0, 0], faces: true}\n"
                    "balls:\n  - {position: [0, 0, 1], radius: 0.05, mass: 0.04, patches: true}\n"
                    "robots:\n  - {name: a, model: m, start: [0, 0, 0], team: [200, 0, 0]}\n"));
@@ -256,7 +258,9 @@ TEST(WorldModel, WhatMeetsTheEyeIsRead) {
   EXPECT_EQ(world->ground_grain, 0.2);
   ASSERT_TRUE(world->obstacles[0].shape.texture);
   EXPECT_EQ(world->obstacles[0].shape.texture->levels[0].pixels[0], 0x070707u);
-  const Shape& tip = world->obstacles[1].shape;
+  EXPECT_TRUE(world->obstacles[1].shape.texture);
+  EXPECT_TRUE(world->obstacles[2].shape.texture);
+  const Shape& tip = world->obstacles[3].shape;
   ASSERT_TRUE(tip.mesh && tip.hull);
   ASSERT_EQ(tip.mesh->triangles.size(), 2u);
   // The corner at (2, 0, 0) of the scaled file, 1 m along x in the world.
