@@ -6,6 +6,7 @@
 #include <openssl/pem.h>
 #include <openssl/rand.h>
 #include <openssl/x509.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -52,22 +53,44 @@ Certificate sign(EVP_PKEY* key) {
   return made;
 }
 
-File create(const std::string& path, mode_t mode) {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, mode);
+/// While it lives, no other process makes a certificate in this folder. Where a folder can not be
+/// locked, as on some network drives, nothing is.
+class FolderLock {
+ public:
+  explicit FolderLock(const std::string& folder)
+      : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    if (descriptor_ >= 0) ::flock(descriptor_, LOCK_EX);
+  }
+  ~FolderLock() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int descriptor_;
+};
+
+/// A file that is there once write() has filled it, or as it was before.
+template <class Write>
+void create(const std::string& path, mode_t mode, const Write& write) {
+  const std::string part = path + ".new";
+  const int descriptor = ::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, mode);
   File file(descriptor < 0 ? nullptr : ::fdopen(descriptor, "w"), &std::fclose);
   if (!file) throw InputError("--tls-dir: can not write " + path + ", expected a folder of yours");
-  return file;
+  need(write(file.get()) == 1 && std::fflush(file.get()) == 0, "writing " + path);
+  need(std::rename(part.c_str(), path.c_str()) == 0, "writing " + path);
 }
 
 void make(const CertificateFiles& files) {
   const Key key(EVP_EC_gen("P-256"), &EVP_PKEY_free);
   need(key != nullptr, "making a key");
   const Certificate certificate = sign(key.get());
-  const File key_file = create(files.key, 0600);
-  need(PEM_write_PrivateKey(key_file.get(), key.get(), nullptr, nullptr, 0, nullptr, nullptr) == 1,
-       "writing " + files.key);
-  const File file = create(files.certificate, 0644);
-  need(PEM_write_X509(file.get(), certificate.get()) == 1, "writing " + files.certificate);
+  create(files.key, 0600, [&](std::FILE* file) {
+    return PEM_write_PrivateKey(file, key.get(), nullptr, nullptr, 0, nullptr, nullptr);
+  });
+  create(files.certificate, 0644,
+         [&](std::FILE* file) { return PEM_write_X509(file, certificate.get()); });
 }
 
 }  // namespace
@@ -77,6 +100,7 @@ CertificateFiles findOrMakeCertificate(const std::string& folder) {
   fs::create_directories(folder, ignored);
   const CertificateFiles files{(fs::path(folder) / "certificate.pem").string(),
                                (fs::path(folder) / "key.pem").string()};
+  const FolderLock lock(folder);
   if (!fs::exists(files.certificate) || !fs::exists(files.key)) make(files);
   return files;
 }
