@@ -29,9 +29,14 @@ constexpr Pixel blend(Pixel under, Pixel paint, int weight) {
 /// `color` under a light of strength 0 (black) to 256 (as it is).
 constexpr Pixel lit(Pixel color, int strength) { return blend(0, color, strength); }
 
-/// A picture in the making: colour and inverse depth [1/m] along the line of sight of each pixel.
-/// Inverse depth 0 is infinitely far. Pixel (column, row) covers [column, column + 1) in u, and
-/// the same in v; the origin is the upper left corner.
+/// What a pixel shows: the number of a solid, or ground or sky.
+using Thing = std::uint16_t;
+inline constexpr Thing kGround = 0;
+inline constexpr Thing kRim = 0xffff;  // of a sphere, mixed already
+
+/// A picture in the making: colour, inverse depth [1/m] along the line of sight and thing of each
+/// pixel. Inverse depth 0 is infinitely far. Pixel (column, row) covers [column, column + 1) in u,
+/// and the same in v; the origin is the upper left corner.
 class Raster {
  public:
   /// Takes on a size and forgets the old depths; colours are left to whoever paints first.
@@ -40,6 +45,7 @@ class Raster {
     const std::size_t count = static_cast<std::size_t>(size.width) * size.height;
     colors_.resize(count);
     inverse_depths_.assign(count, 0.0f);
+    things_.assign(count, kGround);
   }
 
   void fill(Pixel color) { std::fill(colors_.begin(), colors_.end(), color); }
@@ -49,6 +55,8 @@ class Raster {
   const Pixel* colors(int row) const { return colors_.data() + offset(row); }
   float* inverseDepths(int row) { return inverse_depths_.data() + offset(row); }
   const float* inverseDepths(int row) const { return inverse_depths_.data() + offset(row); }
+  Thing* things(int row) { return things_.data() + offset(row); }
+  const Thing* things(int row) const { return things_.data() + offset(row); }
 
  private:
   std::size_t offset(int row) const { return static_cast<std::size_t>(row) * size_.width; }
@@ -56,6 +64,7 @@ class Raster {
   ImageSize size_;
   std::vector<Pixel> colors_;
   std::vector<float> inverse_depths_;
+  std::vector<Thing> things_;
 };
 
 }  // namespace nao::camera

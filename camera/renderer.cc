@@ -6,6 +6,7 @@
 #include "camera/ground_painter.h"
 #include "camera/ground_truth.h"
 #include "camera/light.h"
+#include "camera/soft_meeting.h"
 #include "camera/sphere_painter.h"
 #include "core/check.h"
 
@@ -207,6 +208,7 @@ void Renderer::paintItems(const View& view, const GroundForms& ground) {
     sphere.p_C = item->X_CS.translation();
     sphere.radius = item->shape->size.x();
     sphere.color = item->color;
+    sphere.thing = thingOf(*item);
     sphere.is_flat = labels_ || item->glows;
     sphere.has_hard_rim = labels_;
     sphere.has_patches = item->has_patches;
@@ -214,7 +216,13 @@ void Renderer::paintItems(const View& view, const GroundForms& ground) {
     sphere.R_CS = item->X_CS.linear();
     paintSphere(sphere, view.lens, lamp_C, ground.inverseDepth(), raster_);
   }
+  if (!labels_) softenMeetings(ground.inverseDepth(), raster_);
   for (const SoftEdge& edge : edges_) soften(edge, ground.inverseDepth(), raster_);
+}
+
+Thing Renderer::thingOf(const Item& item) const {
+  const auto number = static_cast<std::size_t>(&item - items_.data());
+  return static_cast<Thing>(std::min<std::size_t>(number + 1, kRim - 1));
 }
 
 void Renderer::paintMesh(const Item& item, const Vec3& lamp_C, TrianglePainter& painter,
@@ -222,7 +230,8 @@ void Renderer::paintMesh(const Item& item, const Vec3& lamp_C, TrianglePainter& 
   const double depth = item.X_CS.translation().x() - boundingRadius(*item.shape);
   const Mesh& mesh = meshes_.find(*item.shape, roundnessFor(*item.shape, depth, lens));
   placeCorners(item, mesh, lamp_C);
-  painter.use({item.color, labels_ ? nullptr : item.shape->texture.get(), item.is_above_ground});
+  painter.use({item.color, labels_ ? nullptr : item.shape->texture.get(), item.is_above_ground,
+               thingOf(item)});
   const bool is_cut = std::any_of(corners_.begin(), corners_.end(), [](const LitCorner& corner) {
     return corner.p_C.x() < kNearPlane;
   });

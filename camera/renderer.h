@@ -60,6 +60,7 @@ class Renderer {
   void collectBall(const SceneFrame::Ball& ball, Pixel label, const View& view);
   void collect(Item item, const Pose& X_WS, const View& view);
   void sortItems();
+  Thing thingOf(const Item& item) const;  // by its place among the sorted ones
   void paintItems(const View& view, const GroundForms& ground);
   void paintMesh(const Item& item, const Vec3& lamp_C, TrianglePainter& painter,
                  const Pinhole& lens);

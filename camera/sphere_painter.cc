@@ -97,6 +97,7 @@ struct Painter {
     const Vec3 normal = (depth * d - sphere.p_C) / sphere.radius;
     Pixel& color = raster.colors(row)[column];
     color = blend(color, paintAt(normal, depth), weight);
+    raster.things(row)[column] = weight < 256 ? kRim : sphere.thing;
     if (weight >= 128) behind = nearness;
   }
 };

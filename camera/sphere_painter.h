@@ -11,6 +11,7 @@ struct SphereInView {
   Vec3 p_C = Vec3::Zero();  // [m] its centre
   double radius = 0;        // [m]
   Pixel color = 0;
+  Thing thing = kGround;
   bool is_flat = false;              // no light falls on it
   bool has_hard_rim = false;         // each pixel is painted as a whole or not at all
   bool has_patches = false;          // a soccer ball's: twelve black ones

@@ -134,12 +134,14 @@ void TrianglePainter::fillRow(const Surface& surface, int row, double left, doub
   if (paint_.texture || !paint_.is_above_ground) return texture(surface, row, first, end);
   Pixel* const colors = raster_.colors(row);
   float* const depths = raster_.inverseDepths(row);
+  Thing* const things = raster_.things(row);
   double depth = surface.inverse_depth.at(first + 0.5, row + 0.5);
   double light = surface.light.at(first + 0.5, row + 0.5);
   for (int i = first; i < end; ++i) {
     const float nearness = static_cast<float>(depth);
     if (nearness > depths[i]) {
       depths[i] = nearness;
+      things[i] = paint_.thing;
       colors[i] = surface.is_flat
                       ? surface.color
                       : lit(surface.color, static_cast<int>(std::clamp(light, 0.0, 256.0)));
@@ -153,6 +155,7 @@ void TrianglePainter::fillRow(const Surface& surface, int row, double left, doub
 void TrianglePainter::texture(const Surface& surface, int row, int first, int end) {
   Pixel* const colors = raster_.colors(row);
   float* const depths = raster_.inverseDepths(row);
+  Thing* const things = raster_.things(row);
   const double v = row + 0.5;
   for (int i = first; i < end; ++i) {
     const double u = i + 0.5;
@@ -161,6 +164,7 @@ void TrianglePainter::texture(const Surface& surface, int row, int first, int en
     if (nearness <= depths[i]) continue;
     if (!paint_.is_above_ground && depth <= ground_.at(u, v)) continue;
     depths[i] = nearness;
+    things[i] = paint_.thing;
     Pixel color = surface.color;
     if (paint_.texture || !surface.is_flat) {
       if (paint_.texture)

@@ -22,6 +22,7 @@ struct Paint {
   Pixel color = 0;
   const Texture* texture = nullptr;  // in place of the colour
   bool is_above_ground = false;      // all of it, so the ground needs no look
+  Thing thing = kGround;
 };
 
 /// Where a corner falls on the picture; texture and light are as on the corner, over depth.
