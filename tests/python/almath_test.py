@@ -185,5 +185,43 @@ class ToolsTest(unittest.TestCase):
             almath.Position2D(1, 2) + a
 
 
+class FootstepsTest(unittest.TestCase):
+    # A sole of 16 by 9 cm about its ankle.
+    SOLE = [almath.Pose2D(x, y, 0) for x, y in
+            ((0.1, 0.045), (0.1, -0.045), (-0.06, -0.045), (-0.06, 0.045))]
+
+    def testAStepOutsideTheEllipseIsDrawnOntoIt(self):
+        move = almath.Pose2D(0.08, -0.08, 0.3)
+        self.assertTrue(almath.clipFootWithEllipse(0.08, 0.04, move))
+        self.assertAlmostEqual((move.x / 0.08) ** 2 + (move.y / 0.04) ** 2, 1, delta=EXACT)
+        self.assertAlmostEqual(move.x, -move.y, delta=EXACT)  # the same direction
+        self.assertEqual(move.theta, 0.3)
+
+    def testAStepInsideTheEllipseIsLeftAlone(self):
+        move = almath.Pose2D(0.05, 0.02, 1)
+        self.assertFalse(almath.clipFootWithEllipse(0.08, 0.04, move))
+        self.assertEqual(move, almath.Pose2D(0.05, 0.02, 1))
+
+    def testAFootThatWouldStepOnTheOtherIsTurnedBackUntilTheyTouch(self):
+        move = almath.Pose2D(0.0, -0.1, 0.6)  # the right foot beside the left one, turned in
+        self.assertTrue(almath.avoidFootCollision(self.SOLE, self.SOLE, True, move))
+        self.assertEqual((move.x, move.y), (0.0, -0.1))
+        # The inner front corner meets y = -0.045: 0.1 sin t + 0.045 cos t = 0.055.
+        self.assertAlmostEqual(0.1 * math.sin(move.theta) + 0.045 * math.cos(move.theta), 0.055,
+                               delta=1e-6)
+        self.assertFalse(almath.avoidFootCollision(self.SOLE, self.SOLE, True, move))
+
+    def testFeetApartTurnAsTheyLike(self):
+        for left_stands, y in ((True, -0.2), (False, 0.2)):
+            move = almath.Pose2D(0.05, y, 1.0)
+            self.assertFalse(almath.avoidFootCollision(self.SOLE, self.SOLE, left_stands, move))
+            self.assertEqual(move.theta, 1.0)
+
+    def testFeetThatMeetHoweverTheyTurnAreStraight(self):
+        move = almath.Pose2D(0.0, -0.05, 0.5)
+        self.assertTrue(almath.avoidFootCollision(self.SOLE, self.SOLE, True, move))
+        self.assertEqual(move.theta, 0)
+
+
 if __name__ == "__main__":
     unittest.main()

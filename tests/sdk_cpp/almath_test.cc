@@ -1,6 +1,7 @@
 #include <almath/tools/aldubinscurve.h>
 #include <almath/tools/almathio.h>
 #include <almath/tools/altransformhelpers.h>
+#include <almath/tools/avoidfootcollision.h>
 #include <gtest/gtest.h>
 
 namespace AL::Math {
@@ -62,6 +63,26 @@ TEST(AlMath, DubinsWaysAreArcStraightArcToTheTarget) {
       EXPECT_NEAR(std::sqrt(part.x * part.x + part.y * part.y), chord, kRounding) << target;
     }
   }
+}
+
+TEST(AlMath, AStepIsDrawnOntoTheEllipse) {
+  Pose2D move(0.08F, -0.08F, 0.3F);
+  EXPECT_TRUE(clipFootWithEllipse(0.08F, 0.04F, move));
+  EXPECT_NEAR(std::hypot(move.x / 0.08F, move.y / 0.04F), 1, kRounding);
+  EXPECT_NEAR(move.x, -move.y, kRounding);
+  EXPECT_FALSE(clipFootWithEllipse(0.09F, 0.05F, move));
+}
+
+TEST(AlMath, AFootIsTurnedBackUntilItTouchesTheOther) {
+  const std::vector<Pose2D> sole = {Pose2D(0.1F, 0.045F, 0), Pose2D(0.1F, -0.045F, 0),
+                                    Pose2D(-0.06F, -0.045F, 0), Pose2D(-0.06F, 0.045F, 0)};
+  Pose2D move(0, -0.1F, 0.6F);
+  EXPECT_TRUE(avoidFootCollision(sole, sole, true, move));
+  // The inner front corner meets y = -0.045.
+  EXPECT_NEAR(0.1F * std::sin(move.theta) + 0.045F * std::cos(move.theta), 0.055F, kRounding);
+  EXPECT_EQ(move.y, -0.1F);
+  Pose2D apart(0.05F, 0.2F, 1);
+  EXPECT_FALSE(avoidFootCollision(sole, sole, false, apart));
 }
 
 }  // namespace
