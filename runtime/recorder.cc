@@ -8,7 +8,7 @@
 namespace nao::runtime {
 namespace {
 
-constexpr Duration kCommitEvery = std::chrono::milliseconds(500);
+constexpr Duration kCommitEvery = std::chrono::milliseconds(800);
 
 constexpr char kTables[] = R"(
 CREATE TABLE run (name TEXT PRIMARY KEY, value);
@@ -35,20 +35,28 @@ std::int64_t count(Duration duration) { return duration.count(); }
 
 /// What waits for the next commit, and where it goes.
 struct Recorder::Pending {
+  using Kind = std::pair<std::size_t, std::size_t>;  // which content, which request
   struct Row {
     Duration elapsed{};
     SimTime time{};
     Input::Place place{};
     std::size_t robot = 0;
-    std::string kind;
+    Kind kind;
+    std::string name;
     Bytes content;
   };
+
+  static Kind kindOf(const Input& one) {
+    const auto* motion = std::get_if<motion::MotionRequest>(&one.content);
+    const auto* world = std::get_if<WorldRequest>(&one.content);
+    return {one.content.index(), motion ? motion->action.index() : world ? world->index() : 0};
+  }
 
   explicit Pending(const std::string& file)
       : database((makeRoom(file), file), Database::Access::Create) {}
 
   void create(const RunStart& start) {
-    database.run("PRAGMA synchronous = OFF; BEGIN");
+    database.run("PRAGMA locking_mode = EXCLUSIVE; PRAGMA synchronous = OFF; BEGIN");
     database.run("PRAGMA application_id = " + std::to_string(kRecordingId));
     database.run("PRAGMA user_version = " + std::to_string(kRecordingVersion));
     database.run(kTables);
@@ -76,11 +84,11 @@ struct Recorder::Pending {
 
   // Inputs of one moment, robot and kind share a row.
   void add(Duration elapsed, const Input& one) {
-    const std::string kind = nameOf(one.content);
     const bool is_more = !inputs.empty() && inputs.back().elapsed == elapsed &&
                          inputs.back().place == one.place && inputs.back().robot == one.robot &&
-                         inputs.back().kind == kind && inputs.back().time == one.time;
-    if (!is_more) inputs.push_back({elapsed, one.time, one.place, one.robot, kind, {}});
+                         inputs.back().kind == kindOf(one) && inputs.back().time == one.time;
+    if (!is_more) inputs.push_back({elapsed, one.time, one.place, one.robot, kindOf(one), {}, {}});
+    if (!is_more) inputs.back().name = nameOf(one.content);
     codec.encode(one, inputs.back().content);
   }
 
@@ -93,7 +101,7 @@ struct Recorder::Pending {
           .bind(2, count(row.time.time_since_epoch()))
           .bind(3, static_cast<std::int64_t>(row.place))
           .bind(4, static_cast<std::int64_t>(row.robot))
-          .bind(5, row.kind)
+          .bind(5, row.name)
           .bind(6, row.content)
           .next();
     }
@@ -136,7 +144,7 @@ void Recorder::stepped(const Simulation& simulation) {
   if (simulation.now().time_since_epoch() % RunHash::kEvery == Duration::zero()) {
     addState(simulation);
   }
-  if (elapsed_ % kCommitEvery == Duration::zero()) commit();
+  if (elapsed_ - committed_ >= kCommitEvery) commit();
 }
 
 void Recorder::finish(const Simulation& simulation) {
@@ -149,6 +157,7 @@ void Recorder::finish(const Simulation& simulation) {
   } catch (const InputError& error) {
     failure_ = error.what();
   }
+  pending_.reset();
 }
 
 void Recorder::addState(const Simulation& simulation) {
@@ -157,6 +166,7 @@ void Recorder::addState(const Simulation& simulation) {
 
 void Recorder::commit() {
   if (!pending_) return;
+  committed_ = elapsed_;
   try {
     pending_->write();
   } catch (const InputError& error) {

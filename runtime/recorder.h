@@ -10,9 +10,10 @@
 namespace nao::runtime {
 
 /// Writes a run down while it goes: what it began with, every input, and the hash of its state
-/// every 100 ms. What it has written it commits every half second of simulated time, without
-/// waiting for the disk: when this program is killed at any moment the file opens and lacks that
-/// much at most. On the simulation's thread, whose watcher it is to be from the start.
+/// every 100 ms. What it has written it commits every 0.8 s of simulated time, without waiting for
+/// the disk: when this program is killed at any moment the file opens and lacks that much at most.
+/// While it writes nobody else opens the file. On the simulation's thread, whose watcher it is to
+/// be from the start.
 class Recorder final : public SimulationWatcher {
  public:
   /// Takes the place of a recording of this name. @throws InputError if the file can not be
@@ -23,7 +24,7 @@ class Recorder final : public SimulationWatcher {
   void took(const Input& input) override;
   void stepped(const Simulation& simulation) override;
 
-  /// The run is over: its last state.
+  /// The run is over: its last state. Others may open the file.
   void finish(const Simulation& simulation);
 
   /// One sentence if writing failed under way (a full disk), from when on nothing is recorded.
@@ -39,6 +40,7 @@ class Recorder final : public SimulationWatcher {
   std::unique_ptr<Pending> pending_;
   std::size_t inputs_ = 0;
   Duration elapsed_{};
+  Duration committed_{};
 };
 
 }  // namespace nao::runtime

@@ -23,6 +23,7 @@ def figures(folder):
     """The names of these figures are fixed; all times are processor time."""
     runs = medians(folder)
     return {**step_figures(runs), **robot_figures(runs), **snapshot_figures(runs),
+            **record_figures(runs),
             **memory_figures(pathlib.Path(folder) / "robots.txt"), **render_figures(runs),
             **walk_figures(runs), **wire_figures(pathlib.Path(folder) / "wire.txt"),
             **lola_figures(pathlib.Path(folder) / "lola.txt")}
@@ -95,6 +96,16 @@ def snapshot_figures(runs):
     return {"snapshot_cpu_us": runs["takeSnapshot"]["snapshot_cpu_us"],
             "restore_cpu_us": restore["restore_cpu_us"],
             "restore_growth_kb": restore["restore_growth_kb"]}
+
+
+def record_figures(runs):
+    """What recording adds to a run's processor time, and the file's growth: a walk with fading
+    eyes; a body commanded by LoLA."""
+    walk, driven = (runs[f"{name}/iterations:1"] for name in ("recordWalk", "recordDriven"))
+    return {"recording_cost_percent": walk["cost_percent"],
+            "recording_mb_per_minute": walk["mb_per_minute"],
+            "recording_lola_cost_percent": driven["cost_percent"],
+            "recording_lola_mb_per_minute": driven["mb_per_minute"]}
 
 
 def render_figures(runs):

@@ -1,5 +1,6 @@
 #include "validation/recorded/run_difference.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -65,9 +66,12 @@ void checkAlike(Replayer& one, Replayer& other) {
   if (!alike) throw InputError("--diff: the two runs have other robots, balls or steps");
 }
 
+// "MoveTo of nao at 3.200 s"
 std::string described(const Recording::TimedInput& one, const Recording& of) {
-  return runtime::nameOf(one.input.content) + " of " + of.start.robots[one.input.robot].name +
-         " at " + formatted("%.3f s", toSeconds(one.elapsed));
+  const bool is_worlds = std::holds_alternative<runtime::WorldRequest>(one.input.content);
+  return runtime::nameOf(one.input.content) +
+         (is_worlds ? "" : " of " + of.start.robots[one.input.robot].name) +
+         formatted(" at %.3f s", toSeconds(one.elapsed));
 }
 
 std::uint64_t hashOf(const runtime::Input& input) {
@@ -108,20 +112,17 @@ std::optional<RunDifference> findDifference(Replayer& one, Replayer& other) {
 }
 
 std::string describeInputDifference(const Recording& one, const Recording& other) {
-  const std::size_t count = std::max(one.inputs.size(), other.inputs.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    const bool has_one = i < one.inputs.size();
-    const bool has_other = i < other.inputs.size();
-    if (has_one && has_other && hashOf(one.inputs[i].input) == hashOf(other.inputs[i].input)) {
-      continue;
-    }
-    const auto name = [i](bool has, const Recording& of) {
-      return has ? described(of.inputs[i], of) : std::string("none");
-    };
-    return "input " + std::to_string(i + 1) + ": " + name(has_one, one) + " here, " +
-           name(has_other, other) + " there";
-  }
-  return {};
+  const auto name = [](std::size_t i, const Recording& of) {
+    return i < of.inputs.size() ? described(of.inputs[i], of) : std::string("none");
+  };
+  const std::size_t common = std::min(one.inputs.size(), other.inputs.size());
+  std::size_t i = 0;
+  while (i < common && hashOf(one.inputs[i].input) == hashOf(other.inputs[i].input)) ++i;
+  if (i == one.inputs.size() && i == other.inputs.size()) return {};
+  const std::string here = name(i, one);
+  const std::string there = name(i, other);
+  return "input " + std::to_string(i + 1) + ": " + here +
+         (here == there ? " has other values there" : " here, " + there + " there");
 }
 
 std::string describe(const Apart& apart) {
