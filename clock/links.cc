@@ -75,10 +75,11 @@ bool isUsedElsewhere(int descriptor) {
   return false;
 }
 
+// Some of what is on its way is enough: there is more of it than a socket holds.
 bool isSettled(const Link& link, int descriptor) {
   int waiting = 0;
-  if (::ioctl(descriptor, FIONREAD, &waiting) != 0) return true;
-  return link.taken.load() + static_cast<std::uint64_t>(waiting) >= link.given.load();
+  return link.taken.load() >= link.given.load() || ::ioctl(descriptor, FIONREAD, &waiting) != 0 ||
+         waiting > 0;
 }
 
 void settle(Link& link, int descriptor) {

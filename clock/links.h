@@ -18,7 +18,7 @@ void copyLink(int descriptor, int copy);
 void countSent(int descriptor, ssize_t bytes);
 void countTaken(int descriptor, ssize_t bytes);
 
-/// Returns when all bytes that the world has given are here, to be read.
+/// Returns when of what the world has given and was not read yet something is here, to be read.
 void settleLinks();
 
 }  // namespace nao::clock

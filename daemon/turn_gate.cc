@@ -58,12 +58,11 @@ class TurnGate::Guarded final : public Stream {
     flow_->got = std::move(got);
     flow_->pump();
   }
+  // Counted when it begins: what the socket has no place for follows while the client reads.
   void write(const rpc::Bytes& bytes, Done done) override {
-    const std::size_t count = bytes.size();
-    flow_->inner->write(bytes, [flow = flow_, count, done = std::move(done)](const Error& failed) {
-      if (!failed) flow->gate.count(*flow, count);
-      done(failed);
-    });
+    flow_->gate.count(*flow_, bytes.size());
+    flow_->inner->write(
+        bytes, [flow = flow_, done = std::move(done)](const Error& failed) { done(failed); });
   }
   void close() override {
     if (std::exchange(flow_->is_closed, true)) return;

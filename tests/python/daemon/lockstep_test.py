@@ -25,20 +25,23 @@ def start(*words, options=()):
 def course(*words, options=()):
     """All that a run shows: what the program prints and how the world ends."""
     process = start(*words, options=options)
-    out, err = process.communicate(timeout=PATIENCE)
+    try:
+        out, err = process.communicate(timeout=PATIENCE)
+    finally:
+        process.kill()
     return process.returncode, out, err
 
 
 @needsDaemon
 class LockstepTest(unittest.TestCase):
-    def expectSame(self, *words):
-        first = course(*words)
+    def expectSame(self, *words, options=()):
+        first = course(*words, options=options)
         self.assertEqual(first[0], 0, first)
         self.assertRegex(first[2], "state [0-9a-f]{16}, run [0-9a-f]{16}, repeatable")
         hogs = [subprocess.Popen([PYTHON, "-c", "while True: pass"]) for _ in range(2)]
         try:
-            self.assertEqual(course(*words), first)
-            self.assertEqual(course(*words, options=["--speed", "5"]), first)
+            self.assertEqual(course(*words, options=options), first)
+            self.assertEqual(course(*words, options=[*options, "--speed", "5"]), first)
         finally:
             for hog in hogs:
                 hog.kill()
@@ -58,6 +61,9 @@ class LockstepTest(unittest.TestCase):
 
     def testAClientInCppIsTheSameEveryTime(self):
         self.expectSame(os.path.join(BUILT, "clock_two_threads"))
+
+    def testAClientThatLooksIsTheSameEveryTime(self):
+        self.expectSame(PYTHON, "pictures.py", options=["--robot", "nao_h25_v50"])
 
     def testAProgramOfSeveralProcessesIsTheSameEveryTime(self):
         self.expectSame("sh", "-c", "for i in 1 2 3; do sleep 0.$i & done; wait; date +%s.%N;"
