@@ -45,7 +45,8 @@ void run(Options& options) {
 
 void addRunOptions(CLI::App& command, ReplayRunOptions& options) {
   const char* const group = "Of a recorded run";
-  command.add_option("--from", options.from, "What is listed and written begins here [s].")
+  command
+      .add_option("--from", options.from, "What is compared, listed and written begins here [s].")
       ->check(CLI::NonNegativeNumber)
       ->group(group);
   command.add_option("--to", options.to, "The replay ends here [s].")

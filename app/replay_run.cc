@@ -82,8 +82,14 @@ bool replayOnce(const ReplayRunOptions& options, const Recording& recording,
                 toSeconds(departure->elapsed), replayer.statesMet());
     return false;
   }
-  std::printf("replayed to %.3f s: all %zu recorded states are the same to the last bit\n",
-              toSeconds(replayer.elapsed()), replayer.statesMet());
+  const auto& states = recording.states;
+  const auto before = std::count_if(states.begin(), states.end(), [&stretch](const auto& state) {
+    return state.elapsed < stretch.from;
+  });
+  const std::size_t skipped = std::min(static_cast<std::size_t>(before), replayer.statesMet());
+  std::printf("from %.3f to %.3f s all %zu recorded states are the same to the last bit\n",
+              std::min(options.from, toSeconds(replayer.elapsed())), toSeconds(replayer.elapsed()),
+              replayer.statesMet() - skipped);
   return replayer.elapsed() == std::min(recording.length(), stretch.to);
 }
 

@@ -7,11 +7,6 @@
 #include "core/check.h"
 
 namespace nao::runtime {
-namespace {
-
-constexpr int kPatience_ms = 2000;  // for another program that is writing
-
-}  // namespace
 
 Database::Database(const std::string& file, Access access) : file_(file) {
   int flags = SQLITE_OPEN_READWRITE;  // a file whose writer was killed is mended when it is read
@@ -25,7 +20,6 @@ Database::Database(const std::string& file, Access access) : file_(file) {
   }
   connection_.reset(connection, sqlite3_close_v2);
   if (result != SQLITE_OK) fail(sqlite3_errmsg(connection));
-  sqlite3_busy_timeout(connection, kPatience_ms);
 }
 
 void Database::fail(const std::string& sentence) const {

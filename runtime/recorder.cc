@@ -19,13 +19,14 @@ CREATE TABLE state (number INTEGER PRIMARY KEY, elapsed_ns INTEGER, time_ns INTE
                     inputs INTEGER, hash INTEGER);
 )";
 
-// What was no recording is not to be lost.
+// What was no recording is not to be lost, nor one that somebody is writing.
 void makeRoom(const std::string& file) {
   std::error_code ignored;
   if (!std::filesystem::exists(file)) return;
   if (!looksRecorded(file) && !std::filesystem::is_empty(file, ignored)) {
     throw InputError(file + ": is there and is no recording, expected a new name");
   }
+  if (looksRecorded(file)) Database(file, Database::Access::Read).run("BEGIN EXCLUSIVE; ROLLBACK");
   for (const char* part : {"", "-journal"}) std::filesystem::remove(file + part, ignored);
 }
 

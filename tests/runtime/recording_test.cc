@@ -268,6 +268,14 @@ TEST(Recording, ThatIsNoneIsToldInOneSentence) {
             "other: is no recording of a run");
 }
 
+TEST(Recording, TakesThePlaceOfOneThatNobodyWrites) {
+  const TemporaryFolder folder;
+  const std::string file = folder.path() + "/run.rec";
+  { const Recorder first(file, twoNaos()); }
+  const Recorder second(file, twoNaos());
+  EXPECT_THROW(Recorder(file, twoNaos()), InputError);
+}
+
 TEST(Recording, IsNotMadeInPlaceOfAnotherFile) {
   const TemporaryFolder folder;
   const std::string file = folder.write("thesis.txt", "years of work");

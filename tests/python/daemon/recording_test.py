@@ -58,6 +58,8 @@ class RecordingTest(unittest.TestCase):
         self.assertRegex(text, r"nao  MoveTo\n")
         self.assertRegex(text, r"all \d+ recorded states are the same to the last bit")
         self.assertEqual(sorted(os.listdir(self.folder)), ["program.py", "run.rec"])
+        self.assertRegex(self.replay("run.rec", "--from", "1", "--to", "2"),
+                         r"from 1.000 to 2.000 s all 11 recorded states are the same")
 
     def testTwoRunsAreCompared(self):
         self.record("one.rec")
@@ -107,7 +109,7 @@ class RecordingTest(unittest.TestCase):
         client.wait(PATIENCE)
         text = self.replay("run.rec")
         self.assertIn("it was cut short", text)
-        end = float(re.search(r"replayed to ([\d.]+) s: all", text).group(1))
+        end = float(re.search(r"from 0.000 to ([\d.]+) s all", text).group(1))
         self.assertGreaterEqual(end, seen[-1] - 1)
 
 
