@@ -71,6 +71,15 @@ class LockstepTest(unittest.TestCase):
     def testAClientThatLooksIsTheSameEveryTime(self):
         self.expectSame(PYTHON, "pictures.py", options=["--robot", "nao_h25_v50"])
 
+    def testClocksGoOnWhileTheWorldIsSetBackOrPaused(self):
+        code, out, err = course(PYTHON, "pauses.py")
+        self.assertEqual(code, 0, err)
+        self.assertEqual(out, "slept: 1.00 s here, 1.01 s there\n"
+                              "set back: 2.00 s here, 1.01 s there\n"
+                              "paused: 3.00 s here, 1.01 s there\n"
+                              "stepped: 3.10 s here, 1.11 s there\n"
+                              "resumed: 4.10 s here, 2.11 s there\n")
+
     def testAProgramOfSeveralProcessesIsTheSameEveryTime(self):
         self.expectSame("sh", "-c", "for i in 1 2 3; do sleep 0.$i & done; wait; date +%s.%N;"
                                     "x=$(sleep 1; date +%N); echo $x")
