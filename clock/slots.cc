@@ -14,16 +14,6 @@ thread_local Slot* for_child __attribute__((tls_model("initial-exec"))) = nullpt
 
 std::int32_t self() { return static_cast<std::int32_t>(rawCall(SYS_getpid, 0, 0, 0, 0)); }
 
-Slot* freeSlot(ClockPage& page) {
-  Slot* ended = nullptr;
-  for (Slot& slot : page.slots) {
-    const SlotState state = slot.state.load();
-    if (state == SlotState::Free) return &slot;
-    if (state == SlotState::Ended && (!ended || slot.order < ended->order)) ended = &slot;
-  }
-  return ended;
-}
-
 // Made by our parent for whom it was about to start.
 Slot* slotOfUnborn(ClockPage& page) {
   const Registry registry(page);
@@ -84,24 +74,8 @@ __attribute__((constructor)) void enter() {
 }  // namespace
 
 Slot* makeSlot() {
-  ClockPage& at = *page();
-  const Registry registry(at);
-  Slot* slot = freeSlot(at);
-  if (!slot) {
-    at.strayed.fetch_add(1);
-    return nullptr;
-  }
-  const auto number = static_cast<std::uint32_t>(slot - at.slots);
-  slot->process = self();
-  slot->thread = 0;
-  slot->order = ++at.last_order;
-  slot->deadline = slot->alarm = kNever;
-  slot->alarm_interval = 0;
-  slot->handle = slot->queue = slot->ticket = 0;
-  slot->signalled = slot->detached = 0;
-  slot->looked = 0;
-  slot->state = SlotState::Ready;
-  if (number >= at.slots_used.load()) at.slots_used = number + 1;
+  Slot* slot = takeSlot(*page(), self());
+  if (!slot) page()->strayed.fetch_add(1);
   return slot;
 }
 
