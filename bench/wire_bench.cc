@@ -1,7 +1,7 @@
 // The qi wire while one Nao is simulated at 1x, seen from a client in its own process: delays
 // beside those of an echo socket on the same I/O thread with the same sizes, calls a second when
-// they are pipelined, and events to many. wire_bench [delays|rates|events]: one JSON object of
-// figures.
+// they are pipelined, events to many, and one picture fetched again and again. wire_bench
+// [delays|rates|events|polls]: one JSON object of figures.
 #include <sys/epoll.h>
 #include <unistd.h>
 
@@ -288,6 +288,44 @@ class EventStorm {
   std::size_t pieces_ = 0;
 };
 
+/// A client that fetches the picture of its window as fast as it can, thousands of times a second,
+/// while a new one comes five times a second.
+class Poller {
+ public:
+  Poller(const WireServer& server, int resolution) : server_(server), client_(server.port) {
+    const std::uint32_t video = client_.service("ALVideoDevice");
+    const auto subscribe = client_.method(video, "subscribeCamera", "(siiii)");
+    constexpr int kYuv422 = 9;
+    const Value handle =
+        wire::Decoder(client_.call({video, 1, subscribe},
+                                   Value::tuple({"poller", 0, resolution, kYuv422, 5})))
+            .read("s");
+    question_ = callFrame({video, 1, client_.method(video, "getImageRemote", "(s)")},
+                          Value::tuple({handle}), 1);
+  }
+
+  /// Processor time of the daemon for one poll, physics and drawing included, which it would do
+  /// without polls, too [us]; and polls a second.
+  std::pair<double, double> run() {
+    poll();  // waits for the first picture
+    constexpr int kPolls = 20000;
+    const auto start = Clock::now();
+    const double before = processorTime(server_.process);
+    for (int k = 0; k < kPolls; ++k) poll();
+    return {1e6 * (processorTime(server_.process) - before) / kPolls, kPolls / secondsSince(start)};
+  }
+
+ private:
+  void poll() {
+    client_.send(question_);
+    client_.receive();
+  }
+
+  const WireServer& server_;
+  WireClient client_;
+  wire::Bytes question_;
+};
+
 Value namesOf26(WireClient& client, std::uint32_t motion) {
   const auto get_names = client.method(motion, "getBodyNames", "(s)");
   return wire::Decoder(client.call({motion, 1, get_names}, Value::tuple({"Body"}))).read("[s]");
@@ -352,12 +390,21 @@ void measureRates(const WireServer& server, const Calls& calls, Figures& figures
   figures["pings_per_s"] = median(pings);
 }
 
+void measurePolls(const WireServer& server, Figures& figures) {
+  for (const auto& [resolution, name] : {std::pair(0, "160x120"), {1, "320x240"}, {2, "640x480"}}) {
+    const auto [cpu_us, per_s] = Poller(server, resolution).run();
+    figures["poll_" + std::string(name) + "_server_cpu_us"] = cpu_us;
+    figures["polls_" + std::string(name) + "_per_s"] = per_s;
+  }
+}
+
 void run(const WireServer& server, const std::string& part) {
   Figures figures;
   const Calls calls = callsOf(server);
   if (part.empty() || part == "delays") measureDelays(server, calls, figures);
   if (part.empty() || part == "rates") measureRates(server, calls, figures);
   if (part.empty() || part == "events") EventStorm(server).run(figures);
+  if (part.empty() || part == "polls") measurePolls(server, figures);
 
   std::printf("{");
   const char* separator = "";
