@@ -193,6 +193,8 @@ MotionEngine& MotionEngine::operator=(const MotionEngine& other) {
   if (this != &other) impl_ = std::make_unique<Impl>(*other.impl_);
   return *this;
 }
+MotionEngine::MotionEngine(MotionEngine&& other) noexcept = default;
+MotionEngine& MotionEngine::operator=(MotionEngine&& other) noexcept = default;
 MotionEngine::~MotionEngine() = default;
 
 void MotionEngine::accept(const MotionRequest& request) { impl_->accept(request); }

@@ -25,6 +25,8 @@ class MotionEngine {
                RequestId last_accepted = 0);
   MotionEngine(const MotionEngine& other);
   MotionEngine& operator=(const MotionEngine& other);
+  MotionEngine(MotionEngine&& other) noexcept;  // leaves nothing but to be assigned or destroyed
+  MotionEngine& operator=(MotionEngine&& other) noexcept;
   ~MotionEngine();
 
   /// Takes a request over; what it changes shows from the next update().

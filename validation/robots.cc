@@ -37,7 +37,18 @@ class Team {
       NAO_CHECK(simulation_->robot(i).ports()->requests.post({id, action}));
     }
   }
-  void wait(Duration time) { simulation_->advanceTo(simulation_->now() + time); }
+  /// With services that read what the robots tell.
+  void wait(Duration time) {
+    const SimTime end = simulation_->now() + time;
+    while (simulation_->now() < end) {
+      simulation_->advanceTo(
+          std::min(end, simulation_->now() + simulation_->robot(0).model().cycle));
+      for (std::size_t i = 0; i < simulation_->robotCount(); ++i) {
+        simulation_->robot(i).ports()->outcomes.drain();
+        simulation_->robot(i).ports()->touches.drain();
+      }
+    }
+  }
 
   /// Simulated seconds per second of one core: the median of several parts.
   double measure(Duration time) {
