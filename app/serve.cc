@@ -11,6 +11,7 @@
 #include "app/source_paths.h"
 #include "daemon/daemon.h"
 #include "daemon/descriptor_limit.h"
+#include "daemon/large_blocks.h"
 
 namespace nao::app {
 namespace {
@@ -80,6 +81,7 @@ void serve(Arguments& arguments) {
   for (const std::string& folder : arguments.behaviors) options.behaviors.push_back(folder);
 
   daemon::raiseDescriptorLimit();
+  daemon::keepLargeBlocks();
   daemon::Daemon daemon(options);
   printNotes(daemon);
   daemon.stopOnSignals();

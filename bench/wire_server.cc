@@ -19,6 +19,7 @@
 
 #include "daemon/daemon.h"
 #include "daemon/descriptor_limit.h"
+#include "daemon/large_blocks.h"
 #include "daemon/tcp_stream.h"
 #include "naoqi_api/wire/connection.h"
 
@@ -70,6 +71,7 @@ daemon::Options options() {
 
 [[noreturn]] void serve(int ready, Lateness& lateness) {
   daemon::raiseDescriptorLimit();
+  daemon::keepLargeBlocks();
   daemon::Daemon daemon(options());
   daemon::Server echo(
       daemon.io(), {{"127.0.0.1"}, 0, "echo"},
