@@ -1,5 +1,7 @@
 #include "camera/eye.h"
 
+#include "camera/lens_dirt.h"
+
 namespace nao::camera {
 
 Eye::Eye(const RobotModel& robot, std::size_t camera, std::uint64_t seed)
@@ -41,6 +43,8 @@ Raster& Eye::look(const SceneFrame& scene, CameraPlace place, ImageSize size,
   } else {
     picture = &renderer.render(scene, place, view);
   }
+  const auto& dirt = scene.robots[place.robot].lens_dirt;
+  if (place.camera < dirt.size()) layDirt(*picture, dirt[place.camera]);
   sensor_.expose(*picture, settings, scene.world->light, scene.time);
   return *picture;
 }

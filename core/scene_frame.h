@@ -23,6 +23,7 @@ struct SceneFrame {
     LedState leds{};         // by ledNames()
     std::vector<Vec3> w_WB;  // [rad/s] how fast each body turns, in W
     std::optional<Color> team;
+    std::vector<float> lens_dirt{};  // by camera: 0 clean to 1 blind; empty: all are clean
   };
   struct Ball {
     double radius = 0;  // [m]

@@ -68,6 +68,13 @@ template <> inline constexpr std::size_t kMembers<runtime::PlaceBall> = 3;
 template <> inline constexpr std::size_t kMembers<runtime::TakeSnapshot> = 1;
 template <> inline constexpr std::size_t kMembers<runtime::RestoreSnapshot> = 1;
 template <> inline constexpr std::size_t kMembers<runtime::DropSnapshot> = 1;
+template <> inline constexpr std::size_t kMembers<runtime::KillJoint> = 3;
+template <> inline constexpr std::size_t kMembers<runtime::FreezeSensor> = 3;
+template <> inline constexpr std::size_t kMembers<runtime::DisturbSensor> = 4;
+template <> inline constexpr std::size_t kMembers<runtime::HeatMotor> = 3;
+template <> inline constexpr std::size_t kMembers<runtime::SetCharge> = 2;
+template <> inline constexpr std::size_t kMembers<runtime::DirtyLens> = 3;
+template <> inline constexpr std::size_t kMembers<runtime::WetFloor> = 5;
 
 // Worlds and robots.
 template <> inline constexpr std::size_t kMembers<Pose2> = 3;

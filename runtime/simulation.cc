@@ -135,6 +135,11 @@ std::vector<std::string> Simulation::snapshotNames() const {
   return names;
 }
 
+void Simulation::checkJoint(std::size_t robot, Joint joint) const {
+  checkIndex(robot, robots_.size(), "robot");
+  checkIndex(index(joint), robots_[robot]->model().jointCount(), "joint");
+}
+
 void Simulation::apply(const WorldRequest& request) {
   const SimTime before = now();
   carryOut(request);
@@ -159,6 +164,34 @@ void Simulation::carryOut(const WorldRequest& request) {
                         [this](const PlaceBall& r) {
                           checkIndex(r.ball, world_.model().balls.size(), "ball");
                           world_.placeBall(r.ball, r.p_W, r.v_W);
+                        },
+                        [this](const KillJoint& r) {
+                          checkJoint(r.robot, r.joint);
+                          world_.killJoint(r.robot, r.joint, r.duration);
+                        },
+                        [this](const FreezeSensor& r) {
+                          checkIndex(r.robot, robots_.size(), "robot");
+                          world_.freezeSensor(r.robot, r.sensor, r.duration);
+                        },
+                        [this](const DisturbSensor& r) {
+                          checkIndex(r.robot, robots_.size(), "robot");
+                          world_.disturbSensor(r.robot, r.sensor, r.sd, r.duration);
+                        },
+                        [this](const HeatMotor& r) {
+                          checkJoint(r.robot, r.joint);
+                          world_.heatMotor(r.robot, r.joint, r.temperature);
+                        },
+                        [this](const SetCharge& r) {
+                          checkIndex(r.robot, robots_.size(), "robot");
+                          world_.setCharge(r.robot, r.charge);
+                        },
+                        [this](const DirtyLens& r) {
+                          checkIndex(r.robot, robots_.size(), "robot");
+                          checkIndex(r.camera, robots_[r.robot]->model().cameras.size(), "camera");
+                          world_.dirtyLens(r.robot, r.camera, r.dirt);
+                        },
+                        [this](const WetFloor& r) {
+                          world_.wetFloor({r.x, r.y}, r.radius, r.friction, r.duration);
                         },
                         [this](const ResetWorld&) { reset(); },
                         [this](const TakeSnapshot& r) { keepSnapshot(r.name); },

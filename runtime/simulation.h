@@ -86,6 +86,7 @@ class Simulation {
   void carryOut(const WorldRequest& request);
   void offerPictures();
   void reset();
+  void checkJoint(std::size_t robot, Joint joint) const;
   void keepSnapshot(const std::string& name);
   const std::shared_ptr<const Snapshot>& findSnapshot(const std::string& name) const;
 

@@ -14,6 +14,7 @@ class Battery {
   explicit Battery(const BatteryModel& model) : model_(model) {}
 
   void reset() { charge_ = 1; }
+  void setCharge(double charge) { charge_ = charge; }  // 0 to 1
 
   /// Takes what the motors of `frame` draw for `dt` [s], and reports.
   void sample(double dt, SensorFrame& frame);

@@ -173,7 +173,7 @@ void GroundContact::open(std::size_t index, const Terrain::Spot& spot, const Vec
   const Point& point = points_[index / 2];
   touch.anchor = index;
   touch.group = groupOf(point.body);
-  touch.material = &terrain_.material(spot.surface);
+  touch.material = &terrain_.material(spot.surface, p_W);
   touch.p_W = p_W;
   touch.r = p_W - mass_->rootOrigin();
   touch.depth = point.radius - spot.distance;

@@ -37,6 +37,8 @@ class GroundContact {
 
   explicit GroundContact(const BodyPlan& plan);
 
+  void setWet(const std::vector<WetPatch>& patches) { terrain_.setWet(patches); }
+
   /// Nothing touches any more.
   void reset();
   void archive(Archive& archive);

@@ -29,7 +29,7 @@ GroundContact::Smooth GroundContact::calcSmooth(std::size_t index, const Terrain
   out.p_W = body.p_WB + body.R_WB * point.p_B - point.radius * spot.n_W;
   const Vec3 v_W = body.v_WB + body.w_WB.cross(out.p_W - body.p_WB);
   const double leaving = spot.n_W.dot(v_W);
-  const Material& m = terrain_.material(spot.surface);
+  const Material& m = terrain_.material(spot.surface, out.p_W);
   const Anchor& anchor = anchors_[index];
   const bool held = anchor.touching && anchor.surface == spot.surface;
   out.approach = held ? anchor.approach : -leaving;
@@ -74,7 +74,7 @@ void GroundContact::settle(const std::vector<BodyMotion>& motion) {
     Anchor& anchor = anchors_[i];
     const bool held = anchor.touching && anchor.surface == spot.surface;
     if (touch.touching && !held) anchor.place = touch.p_W;
-    const Material& material = terrain_.material(spot.surface);
+    const Material& material = terrain_.material(spot.surface, touch.p_W);
     const double load = touch.touching ? spot.n_W.dot(touch.f_W) : 0;
     if (touch.sliding) {
       anchor.place = touch.p_W + (touch.f_W - load * spot.n_W) / material.tangential_stiffness;

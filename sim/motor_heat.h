@@ -21,6 +21,9 @@ class MotorHeat {
   /// All motors at ambient temperature.
   void reset();
 
+  /// As if the motor had come to this temperature [deg C].
+  void heat(Joint joint, double temperature) { temperature_[joint] = temperature; }
+
   /// Takes in what the motors gave over the last `dt` [s], and reports.
   void sample(const JointArray<double>& torque, double dt, SensorFrame& frame);
 

@@ -52,6 +52,7 @@ class RobotBody {
   /// What a joint's encoder reports, on the motor's side of the gear [rad]; hands 0..1.
   double angle(Joint joint) const;
   const std::vector<GroundContact::Force>& groundForces() const { return contact_.forces(); }
+  void setWet(const std::vector<WetPatch>& patches) { contact_.setWet(patches); }
   /// Height [m] of the robot's lowest point.
   double lowestPoint() const { return contact_.lowestPoint(motion()); }
 

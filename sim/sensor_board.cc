@@ -21,7 +21,7 @@ void SensorBoard::reset() {
 }
 
 SensorFrame SensorBoard::sample(const Surroundings& around, SimTime now, EffectChain& effects,
-                                const PhaseWatch* watch) {
+                                Faults& faults, const PhaseWatch* watch) {
   const auto ended = [watch](Phase phase) {
     if (watch) (*watch)(phase);
   };
@@ -36,6 +36,7 @@ SensorFrame SensorBoard::sample(const Surroundings& around, SimTime now, EffectC
   ended(Phase::Encoders);
   imu_.sample(body.motion(), model_.cycle, frame);
   effects.alterImu(frame, model_.cycle);
+  faults.alterImu(frame);
   imu_.fuse(model_.cycle, frame);
   ended(Phase::Imu);
   frame.feet = calcFootForces(model_, body.motion(), body.groundForces());
@@ -45,6 +46,7 @@ SensorFrame SensorBoard::sample(const Surroundings& around, SimTime now, EffectC
   touch_.sample(around, now, frame);
   ended(Phase::Touch);
   effects.alterSensors(frame, model_.cycle);
+  faults.alterSensors(frame);
   ended(Phase::SensorEffects);
   return frame;
 }

@@ -2,6 +2,7 @@
 
 #include "sim/battery.h"
 #include "sim/effects/catalogue.h"
+#include "sim/faults.h"
 #include "sim/imu.h"
 #include "sim/motor_heat.h"
 #include "sim/phase.h"
@@ -12,7 +13,7 @@ namespace nao::sim {
 
 /// All sensors of one robot, sampled together once per cycle: encoders on the motors' side of the
 /// gears, currents, temperatures, inertial unit, force sensors, sonar, touch and battery, each with
-/// what the effects make of it.
+/// what the effects, and then faults, make of it.
 class SensorBoard {
  public:
   SensorBoard(const RobotModel& model, double gravity);
@@ -20,10 +21,12 @@ class SensorBoard {
   /// As a robot that has just been put down.
   void reset();
 
+  MotorHeat& heat() { return heat_; }
+  Battery& battery() { return battery_; }
   TouchSensors& touch() { return touch_; }
   const TouchSensors& touch() const { return touch_; }
 
-  SensorFrame sample(const Surroundings& around, SimTime now, EffectChain& effects,
+  SensorFrame sample(const Surroundings& around, SimTime now, EffectChain& effects, Faults& faults,
                      const PhaseWatch* watch);
 
   void archive(Archive& archive);

@@ -15,6 +15,23 @@ Terrain::Terrain(const Material& ground, const Vec3& ground_normal,
   }
 }
 
+void Terrain::setWet(const std::vector<WetPatch>& patches) {
+  wet_.clear();
+  for (const WetPatch& patch : patches) {
+    wet_.push_back({patch, ground_});
+    wet_.back().material.friction = std::min(ground_.friction, patch.friction);
+  }
+}
+
+const Material& Terrain::groundAt(const Vec3& p_W) const {
+  for (const auto& [patch, material] : wet_) {
+    const double x = p_W.x() - patch.x;
+    const double y = p_W.y() - patch.y;
+    if (x * x + y * y <= patch.radius * patch.radius) return material;
+  }
+  return ground_;
+}
+
 void Terrain::findNear(const Vec3& center_W, double radius, std::vector<int>& near) const {
   near.clear();
   for (std::size_t i = 0; i < obstacles_.size(); ++i) {

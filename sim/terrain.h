@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/world_model.h"
+#include "sim/wet_patch.h"
 
 namespace nao::sim {
 
@@ -19,9 +20,13 @@ class Terrain {
   Terrain(const Material& ground, const Vec3& ground_normal,
           const std::vector<Obstacle>& obstacles);
 
-  const Material& material(int surface) const {
-    return surface == kGround ? ground_ : obstacles_[static_cast<std::size_t>(surface)].material;
+  /// Of a surface at a point.
+  const Material& material(int surface, const Vec3& p_W) const {
+    if (surface != kGround) return obstacles_[static_cast<std::size_t>(surface)].material;
+    return wet_.empty() ? ground_ : groundAt(p_W);
   }
+  /// In place of those there were.
+  void setWet(const std::vector<WetPatch>& patches);
   const Vec3& groundNormal() const { return normal_; }
   Spot overGround(const Vec3& p_W) const { return {kGround, normal_.dot(p_W), normal_}; }
 
@@ -33,7 +38,14 @@ class Terrain {
   double top() const { return top_; }
 
  private:
+  const Material& groundAt(const Vec3& p_W) const;
+
   Material ground_;
+  struct Wet {
+    WetPatch patch;
+    Material material;
+  };
+  std::vector<Wet> wet_;
   Vec3 normal_;
   std::vector<Obstacle> obstacles_;
   std::vector<double> radius_;  // [m] of a sphere about each obstacle

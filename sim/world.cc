@@ -54,8 +54,16 @@ class World::Impl {
     }
   }
 
+  // Those that are dry are gone; robots know the others.
+  void dry() {
+    const auto is_dry = [this](const WetPatch& patch) { return patch.until <= now_; };
+    wet_.erase(std::remove_if(wet_.begin(), wet_.end(), is_dry), wet_.end());
+    for (RobotBody* body : bodies_) body->setWet(wet_);
+  }
+
   void step() {
     if (!healthy_) return;
+    if (!wet_.empty()) dry();
     touching_.step(bodies_, balls_, toSeconds(step_), on_robots_);
     if (watch_) watch_(Phase::Touching);
     for (std::size_t i = 0; i < robots_.size(); ++i) {
@@ -83,6 +91,15 @@ class World::Impl {
     return {*model_, bodies_, balls_, report_, robot};
   }
 
+  std::size_t findSensor(std::size_t robot, const std::string& name) {
+    if (const auto sensor = robots_.at(robot)->faults().findSensor(name)) return *sensor;
+    std::string names;
+    for (const std::string& one : Faults::sensorNames(*setups_[robot].model)) {
+      names += (names.empty() ? "" : ", ") + one;
+    }
+    throw InputError("sensor: expected one of " + names + "; found '" + name + "'");
+  }
+
   SceneFrame scene() const {
     SceneFrame scene;
     scene.time = now_;
@@ -99,6 +116,8 @@ class World::Impl {
   void reset() {
     for (const auto& robot : robots_) robot->reset();
     balls_ = startBalls(*model_);
+    wet_.clear();
+    dry();
     report_.forces.clear();
     healthy_ = true;
   }
@@ -110,6 +129,8 @@ class World::Impl {
     for (const auto& robot : robots_) robot->archive(archive);
     for (BallState& ball : balls_) ball.archive(archive);
     report_.archive(archive);
+    archive.list(wet_);
+    if (archive.mode() == Archive::Mode::Load) dry();
   }
 
   std::shared_ptr<const WorldModel> model_;
@@ -122,6 +143,7 @@ class World::Impl {
   std::vector<BallState> balls_;
   std::vector<std::vector<ExternalForce>> on_robots_;
   ContactReport report_;
+  std::vector<WetPatch> wet_;
   SimTime now_{};
   bool healthy_ = true;
 };
@@ -158,6 +180,36 @@ void World::press(std::size_t robot, const std::string& sensor, Duration duratio
   std::string names;
   for (const std::string& name : touch.names()) names += (names.empty() ? "" : ", ") + name;
   throw InputError("press: expected one of " + names + "; found '" + sensor + "'");
+}
+void World::killJoint(std::size_t robot, Joint joint, Duration duration) {
+  NAO_CHECK(index(joint) < impl_->setups_.at(robot).model->jointCount());
+  impl_->robots_.at(robot)->faults().killJoint(joint, impl_->now_ + duration);
+}
+void World::freezeSensor(std::size_t robot, const std::string& sensor, Duration duration) {
+  impl_->robots_.at(robot)->faults().freeze(impl_->findSensor(robot, sensor),
+                                            impl_->now_ + duration);
+}
+void World::disturbSensor(std::size_t robot, const std::string& sensor, double sd,
+                          Duration duration) {
+  impl_->robots_.at(robot)->faults().disturb(impl_->findSensor(robot, sensor), sd,
+                                             impl_->now_ + duration);
+}
+void World::heatMotor(std::size_t robot, Joint joint, double temperature) {
+  NAO_CHECK(index(joint) < impl_->setups_.at(robot).model->jointCount());
+  impl_->robots_.at(robot)->sensors().heat().heat(joint, temperature);
+}
+void World::setCharge(std::size_t robot, double charge) {
+  impl_->robots_.at(robot)->sensors().battery().setCharge(std::clamp(charge, 0.0, 1.0));
+}
+void World::dirtyLens(std::size_t robot, std::size_t camera, double dirt) {
+  NAO_CHECK(camera < impl_->setups_.at(robot).model->cameras.size());
+  const double within = std::clamp(dirt, 0.0, 1.0);
+  impl_->robots_.at(robot)->setLensDirt(camera, static_cast<float>(within));
+}
+void World::wetFloor(const Eigen::Vector2d& center_W, double radius, double friction,
+                     Duration duration) {
+  impl_->wet_.push_back({center_W.x(), center_W.y(), radius, friction, impl_->now_ + duration});
+  impl_->dry();
 }
 bool World::setLeds(std::size_t robot, const std::string& leds, float brightness) {
   return impl_->robots_.at(robot)->setLeds(leds, brightness);

@@ -89,6 +89,20 @@ class World {
   /// Lights some of the robot's lights (see findLeds()): `brightness` 0 dark to 1, held within.
   /// False if it has none of that name.
   bool setLeds(std::size_t robot, const std::string& leds, float brightness);
+  /// What breaks, until `duration` has passed; laws and sensors' names: sim/faults.h.
+  void killJoint(std::size_t robot, Joint joint, Duration duration);
+  /// @throws InputError that lists the sensors this robot has, as disturbSensor().
+  void freezeSensor(std::size_t robot, const std::string& sensor, Duration duration);
+  /// `sd` of the noise in the sensor's unit (core/robot_io.h).
+  void disturbSensor(std::size_t robot, const std::string& sensor, double sd, Duration duration);
+  /// As if a motor had come to a temperature [deg C].
+  void heatMotor(std::size_t robot, Joint joint, double temperature);
+  /// As if the battery had come to a charge, 0 to 1.
+  void setCharge(std::size_t robot, double charge);
+  /// From 0, clean, to 1: nothing is seen through it any more.
+  void dirtyLens(std::size_t robot, std::size_t camera, double dirt);
+  /// Water on the floor until `duration` has passed; one more patch.
+  void wetFloor(const Eigen::Vector2d& center_W, double radius, double friction, Duration duration);
   /// Puts a robot down at rest in its start posture, or in `angles`.
   void placeRobot(std::size_t robot, const Pose2& pose, const JointArray<double>* angles = nullptr);
   /// Puts a ball there; one that would be in the ground is lifted onto it, and one that lies on it

@@ -49,7 +49,9 @@ WorldRobot::WorldRobot(const RobotSetup& setup, const WorldModel& world,
       effects_(makeEffects(setup, options)),
       body_(makePlan(setup, world, options, effects_), options.mode),
       sensors_(*setup.model, body_.plan().gravity),
-      led_names_(ledNames(*setup.model)) {
+      faults_(*setup.model, options.seed, setup.name),
+      led_names_(ledNames(*setup.model)),
+      lens_dirt_(setup.model->cameras.size()) {
   reset();
 }
 
@@ -65,6 +67,8 @@ void WorldRobot::place(const Pose2& pose, const JointArray<double>* angles) {
   body_.place(pose, sent_.angle);
   effects_.restart();
   sensors_.reset();
+  faults_.reset();
+  std::fill(lens_dirt_.begin(), lens_dirt_.end(), 0.0F);
   push_ = {};
   leds_ = {};
 }
@@ -88,6 +92,7 @@ void WorldRobot::step(SimTime now, Duration step, std::vector<ExternalForce>& ex
     followed_.stiffness = JointArray<double>(followed_.stiffness.size(), 0.0);
   }
   effects_.alterCommand(followed_, now, h);
+  faults_.alterCommand(followed_, now);
   const DriveTerms* terms = calcTerms(now, h);
   ended(Phase::Effects);
   body_.step(followed_, terms, external, h);
@@ -110,7 +115,7 @@ bool WorldRobot::setLeds(const std::string& leds, float brightness) {
 }
 
 SensorFrame WorldRobot::readSensors(const Surroundings& around, SimTime now) {
-  SensorFrame frame = sensors_.sample(around, now, effects_, watch_);
+  SensorFrame frame = sensors_.sample(around, now, effects_, faults_, watch_);
   frame.leds = leds_;
   return frame;
 }
@@ -123,6 +128,7 @@ SceneFrame::Robot WorldRobot::scene() const {
     robot.X_WB.push_back(X_WB);
     robot.w_WB.push_back(body.w_WB);
   }
+  robot.lens_dirt = lens_dirt_;
   return robot;
 }
 
@@ -130,6 +136,8 @@ void WorldRobot::archive(Archive& archive) {
   body_.archive(archive);
   effects_.archive(archive);
   sensors_.archive(archive);
+  faults_.archive(archive);
+  archive.list(lens_dirt_);
   for (JointCommand* command : {&sent_, &followed_}) {
     archive.value(command->angle);
     archive.value(command->stiffness);

@@ -31,6 +31,9 @@ class WorldRobot {
 
   void setCommand(const JointCommand& command, SimTime now);
   bool setLeds(const std::string& leds, float brightness);
+  Faults& faults() { return faults_; }
+  SensorBoard& sensors() { return sensors_; }
+  void setLensDirt(std::size_t camera, float dirt) { lens_dirt_[camera] = dirt; }
   void push(const Vec3& force_W, SimTime until) { push_ = {force_W, until}; }
 
   /// Lets effects, motors and `external` forces act from `now` for `step`.
@@ -55,6 +58,7 @@ class WorldRobot {
   EffectChain effects_;
   RobotBody body_;
   SensorBoard sensors_;
+  Faults faults_;
   JointCommand sent_;  // by the control side
   SimTime sent_at_{};
   JointCommand followed_;  // by the motors, after the effects
@@ -62,6 +66,7 @@ class WorldRobot {
   Push push_;
   std::vector<std::string> led_names_;
   LedState leds_{};
+  std::vector<float> lens_dirt_;  // by camera
   const PhaseWatch* watch_ = nullptr;
 };
 
