@@ -30,10 +30,13 @@ namespace {
 
 constexpr timespec kPatience{10, 0};  // for a program that was asked to end
 
+constexpr double kFramePatience = 5;  // [s] of the wall, with a LoLA program that does not answer
+
 struct Arguments {
   daemon::Options options;
   std::vector<std::string> robots;
   std::vector<std::string> command;
+  std::vector<std::string> lola;
   std::string speed = "max";
   bool lockstep = true;
   bool python2 = false;
@@ -109,7 +112,11 @@ class Run {
     arguments_.options.speed = daemon::parseSpeed(arguments_.speed);
     const std::string file = findProgram(words_.front());
     const std::string why = file.empty() ? "" : whyNoClock(file);
-    if (!why.empty()) {
+    if (!arguments_.options.lola.empty()) {  // frames are its time
+      if (arguments_.lockstep) arguments_.options.lola_lockstep = kFramePatience;
+      arguments_.options.lola_waits_for_next = true;  // or it ends
+      has_clock_ = arguments_.lockstep = false;
+    } else if (!why.empty()) {
       std::fprintf(stderr,
                    "usarnaoqi: %s %s: it keeps its own time, so the world goes at 1x and not in "
                    "lockstep\n",
@@ -227,6 +234,9 @@ void run(Arguments& arguments) {
   for (const std::string& robot : arguments.robots) {
     options.robots.push_back(daemon::parseRobot(robot));
   }
+  for (const std::string& lola : arguments.lola) {
+    options.lola.push_back(daemon::parseLola(lola));
+  }
   options.port = 0;
   options.world = findSourceFile(options.world);
   options.robots_dir = findSourceFile(options.robots_dir);
@@ -259,6 +269,13 @@ void addRun(CLI::App& app) {
       "The program's clocks and sleeps are the world's, and its threads take turns with\n"
       "the world, so that every run is the same whatever else the machine does (default).\n"
       "Without it the clocks follow the world.");
+  command
+      ->add_option("--lola", arguments->lola,
+                   "The program speaks LoLA, on [ROBOT=]PATH (/tmp/robocup): the world waits for\n"
+                   "its answer to every frame, and its clocks stay its own.")
+      ->expected(0, 1)
+      ->default_str("")
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command
       ->add_option("--seed", options.seed,
                    "Draws what makes real runs differ; 0: no variation (see serve --help).")

@@ -121,13 +121,14 @@ void Daemon::makeHosts() {
 }
 
 void Daemon::startLola() {
-  std::optional<LolaSender::Seconds> patience;
-  if (options_.lola_lockstep) patience = LolaSender::Seconds(*options_.lola_lockstep);
+  LolaSender::Lockstep lockstep;
+  if (options_.lola_lockstep) lockstep.patience = LolaSender::Seconds(*options_.lola_lockstep);
+  lockstep.for_next = options_.lola_waits_for_next;
   for (std::size_t i = 0; i < hosts_.size(); ++i) {
     if (!lola(i)) continue;
     lola_.push_back(std::make_unique<LolaSender>(
         wire::LolaSensors(robotModel(i), wire::lolaIdentity(i), options_.lola_battery),
-        lola(i)->meeting(), patience));
+        lola(i)->meeting(), lockstep));
     simulation_.tellCycles(i, [&sender = *lola_.back()](const auto& frame, const auto& command) {
       sender.send(frame, command);
     });

@@ -19,8 +19,8 @@ bool hasReadAll(int socket) {
 }  // namespace
 
 LolaSender::LolaSender(wire::LolaSensors encoder, std::shared_ptr<LolaMeeting> meeting,
-                       std::optional<Seconds> patience)
-    : encoder_(std::move(encoder)), meeting_(std::move(meeting)), patience_(patience) {}
+                       Lockstep lockstep)
+    : encoder_(std::move(encoder)), meeting_(std::move(meeting)), lockstep_(lockstep) {}
 
 std::uint64_t LolaSender::heard() const {
   const auto count = meeting_->heard.get();
@@ -40,10 +40,10 @@ void LolaSender::send(const SensorFrame& frame, const JointCommand& command) {
 }
 
 bool LolaSender::holdsTime(SimTime now) {
-  if (!patience_ || now.time_since_epoch() % kCycle != Duration::zero()) return false;
+  if (!lockstep_.patience || now.time_since_epoch() % kCycle != Duration::zero()) return false;
   const auto peer = meeting_->peer.get();
   came_ = came_ || peer;
-  if (!came_) return true;
+  if (!came_ || (!peer && lockstep_.for_next)) return true;
   if (peer && peer->number() == sent_to_ && heard() == heard_then_ && isPatient()) return true;
   waits_since_.reset();
   return false;
@@ -53,8 +53,9 @@ bool LolaSender::isPatient() {
   if (gave_up_) return false;
   const auto wall = std::chrono::steady_clock::now();
   if (!waits_since_) waits_since_ = wall;
-  if (wall - *waits_since_ < *patience_) return true;
-  spdlog::warn("LoLA: no answer for {} s: the world goes on without it", patience_->count());
+  if (wall - *waits_since_ < *lockstep_.patience) return true;
+  spdlog::warn("LoLA: no answer for {} s: the world goes on without it",
+               lockstep_.patience->count());
   gave_up_ = true;
   return false;
 }

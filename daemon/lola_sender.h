@@ -20,9 +20,12 @@ class LolaSender {
 
   using Seconds = std::chrono::duration<double>;
 
-  /// `patience`: how long the world may wait for an answer [s of the wall]; none: not at all.
-  LolaSender(wire::LolaSensors encoder, std::shared_ptr<LolaMeeting> meeting,
-             std::optional<Seconds> patience);
+  /// How the world waits for clients.
+  struct Lockstep {
+    std::optional<Seconds> patience;  // for an answer, of the wall; none: it does not wait at all
+    bool for_next = false;            // for another client, too, when the first one has gone
+  };
+  LolaSender(wire::LolaSensors encoder, std::shared_ptr<LolaMeeting> meeting, Lockstep lockstep);
 
   void send(const SensorFrame& frame, const JointCommand& command);
 
@@ -37,7 +40,7 @@ class LolaSender {
 
   wire::LolaSensors encoder_;
   std::shared_ptr<LolaMeeting> meeting_;
-  std::optional<Seconds> patience_;
+  const Lockstep lockstep_;
   bool came_ = false;          // a client has, once
   std::uint64_t sent_to_ = 0;  // the last frame; 0: it was not sent
   std::uint64_t heard_then_ = 0;

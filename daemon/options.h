@@ -56,6 +56,7 @@ struct Options {
   std::optional<std::uint16_t> lola_camera_port;
   std::string lola_camera_memory;       // first part of the rings' names; empty: there are none
   std::optional<double> lola_lockstep;  // [s] of the wall that the world waits for an answer
+  bool lola_waits_for_next = false;     // then, when its client has gone, for another one
   double speed = 1;     // simulated seconds per second; infinite: as fast as it goes
   double step = 0.002;  // [s] of the physics
   sim::Mode mode = sim::Mode::Implicit;

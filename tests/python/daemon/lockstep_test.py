@@ -84,6 +84,16 @@ class LockstepTest(unittest.TestCase):
         self.expectSame("sh", "-c", "for i in 1 2 3; do sleep 0.$i & done; wait; date +%s.%N;"
                                     "x=$(sleep 1; date +%N); echo $x")
 
+    def testALolaProgramIsTheSameEveryTime(self):
+        sine = os.path.join(os.path.dirname(BUILT), "lola_sine")
+        with tempfile.TemporaryDirectory() as folder:
+            socket = os.path.join(folder, "robocup")
+            runs = [course(sine, socket, "3", options=["--lola", socket]) for _ in range(3)]
+        self.assertEqual([run[0] for run in runs], [0, 0, 0], runs[0])
+        ends = [run[2].splitlines()[-1] for run in runs]
+        self.assertRegex(ends[0], "run [0-9a-f]{16}")
+        self.assertEqual(ends[1:], ends[:1] * 2)
+
     def testTimeIsSimulatedWithoutLockstepToo(self):
         text = "import time; t = time.time(); time.sleep(20); print(time.time() - t)"
         code, out, err = course(PYTHON, "-c", text, options=["--no-lockstep", "--speed", "20"])
