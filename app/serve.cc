@@ -216,9 +216,9 @@ void addServe(CLI::App& app) {
       "its own with all rights of this user (default: code is told, not run).");
   command->add_option(
       "--module", options.modules,
-      "A library of C++ modules (naoqi_api/sdk/cpp) to load and run in this process,\n"
-      "for the first robot: it may do all that this program may, and is called every\n"
-      "10 ms of simulated time. Repeat it for more.");
+      "A library of C++ modules (naoqi_api/sdk/cpp), [ROBOT=]FILE, to load and run in this\n"
+      "process, for that robot or the first: it may do all that this program may, and is called\n"
+      "every 10 ms of simulated time. Repeat it for more of the same robot.");
   command->add_flag("--strict", options.strict,
                     "Refuse calls before authentication, as libqi 4 does (default: answer them,\n"
                     "as NAOqi 2.1 to 2.8 do).");

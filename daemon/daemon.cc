@@ -6,6 +6,7 @@
 #include <csignal>
 
 #include "core/check.h"
+#include "daemon/local_pictures.h"
 #include "daemon/random_name.h"
 
 namespace nao::daemon {
@@ -142,16 +143,25 @@ void Daemon::startLola() {
 }
 
 void Daemon::inviteModules() {
-  modules_ = std::make_unique<LocalModules>(options_.modules);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < simulation_.robotCount(); ++i) names.push_back(robotName(i));
+  const ModuleChoice choice = chooseModules(options_.modules, names);
+  modules_robot_ = choice.robot;
+  lent_pictures_ =
+      std::make_unique<LocalPictures>(io_, [this](const std::string& window, bool raw) {
+        return hosts_[modules_robot_]->picture(window, raw);
+      });
+  modules_ = std::make_unique<LocalModules>(choice.files);
   loop_.invite(
       {[this] { return modules_->beginCycle(); }, [this] { return modules_->holdsTime(); }});
 }
 
-// They are clients of the first robot.
+// They are clients of one robot.
 void Daemon::startModules() {
   const std::string& first = options_.listen.front();
   const bool everywhere = first == "0.0.0.0" || first == "::";
-  modules_->start({everywhere ? "127.0.0.1" : first, port(0), module_token_},
+  modules_->start({everywhere ? "127.0.0.1" : first, port(modules_robot_), module_token_,
+                   &lent_pictures_->functions()},
                   [this] { loop_.wake(); });
 }
 

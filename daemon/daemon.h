@@ -23,6 +23,8 @@
 
 namespace nao::daemon {
 
+class LocalPictures;
+
 /// The whole program behind `usarnaoqi serve`: one simulation thread, one camera thread, and the
 /// caller's thread for all clients.
 class Daemon {
@@ -93,7 +95,9 @@ class Daemon {
   std::optional<runtime::Recorder> recorder_;  // none without --record
   RobotLoop loop_;
   CameraLoop cameras_;
-  std::unique_ptr<LocalModules> modules_;  // none without --module
+  std::unique_ptr<LocalPictures> lent_pictures_;  // none without --module
+  std::unique_ptr<LocalModules> modules_;
+  std::size_t modules_robot_ = 0;
   std::string module_token_;
   std::vector<std::unique_ptr<RobotHost>> hosts_;
   std::vector<std::unique_ptr<LolaSender>> lola_;  // of the robots that have a socket

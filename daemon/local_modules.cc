@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -20,6 +21,26 @@ F find(void* handle, const char* name) {
 }
 
 }  // namespace
+
+ModuleChoice chooseModules(const std::vector<std::string>& options,
+                           const std::vector<std::string>& robots) {
+  ModuleChoice choice;
+  for (const std::string& option : options) {
+    const std::size_t equals = option.find('=');
+    const bool is_named = equals != std::string::npos && option.find('/') > equals;
+    const std::string name = is_named ? option.substr(0, equals) : robots.front();
+    const auto robot = std::find(robots.begin(), robots.end(), name);
+    if (robot == robots.end()) throw InputError("--module: there is no robot '" + name + "'");
+    const auto index = static_cast<std::size_t>(robot - robots.begin());
+    if (!choice.files.empty() && index != choice.robot) {
+      throw InputError("--module: expected modules of one robot, found '" + name + "' beside '" +
+                       robots[choice.robot] + "'");
+    }
+    choice.robot = index;
+    choice.files.push_back(is_named ? option.substr(equals + 1) : option);
+  }
+  return choice;
+}
 
 LocalModules::LocalModules(const std::vector<std::string>& files) {
   for (const std::string& file : files) libraries_.push_back(load(file));
@@ -57,7 +78,7 @@ void LocalModules::start(const Robot& robot, std::function<void()> done) {
 
 void LocalModules::create(const Robot& robot) const {
   const UsarnaoqiRobot own{robot.host.c_str(), robot.port, robot.token.empty() ? "" : kUser,
-                           robot.token.c_str()};
+                           robot.token.c_str(), robot.pictures};
   for (const Library& library : libraries_) {
     const auto start = find<UsarnaoqiStart>(library.handle, "usarnaoqi_sdk_start");
     const bool made = start(&own, library.name.c_str(), library.create, tell);

@@ -9,7 +9,20 @@
 #include <thread>
 #include <vector>
 
+struct UsarnaoqiPictures;  // usarnaoqi_sdk/local_host.h
+
 namespace nao::daemon {
+
+/// Whose modules are asked for, and their files.
+struct ModuleChoice {
+  std::size_t robot = 0;
+  std::vector<std::string> files;
+};
+
+/// Of options of the form [ROBOT=]FILE; who names no robot means the first.
+/// @throws InputError for a robot that does not exist, and for two: the C++ library knows one.
+ModuleChoice chooseModules(const std::vector<std::string>& options,
+                           const std::vector<std::string>& robots);
 
 /// Libraries of modules (`serve --module`) that run in this process: they call the robot through
 /// its port as any client does, on threads of theirs, and are called at every cycle, while
@@ -20,6 +33,7 @@ class LocalModules {
     std::string host;
     std::uint16_t port = 0;
     std::string token;  // of the user kUser; empty: none is asked for
+    const UsarnaoqiPictures* pictures = nullptr;
   };
   static constexpr char kUser[] = "usarnaoqi-module";
 

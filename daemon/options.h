@@ -35,7 +35,7 @@ struct Options {
   /// Folders of motions and behaviors that every robot has installed, beside those in its own
   /// robots_dir/<model>/motions; later ones win.
   std::vector<std::string> behaviors;
-  /// Libraries of local modules, of the first robot.
+  /// Libraries of local modules, [ROBOT=]FILE.
   std::vector<std::string> modules;
   std::string
       scripts;  // folder of the Python client, to run the code in boxes; empty: it is not run

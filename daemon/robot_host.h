@@ -46,6 +46,11 @@ class RobotHost {
   const RobotEndpoints& endpoints() const { return *endpoints_; }
   const std::shared_ptr<camera::RenderQueue>& pictures() const { return pictures_; }
 
+  /// What its ALVideoDevice answers to getImageRemote, or getDirectRawImageRemote.
+  rpc::Pending<rpc::Value> picture(const std::string& window, bool raw) {
+    return services_.video().picture(window, raw);
+  }
+
   /// The robot's LoLA socket, or null.
   const LolaServer* lola() const { return lola_.get(); }
   /// The ports of its cameras for LoLA programs, top first; empty: there are none.

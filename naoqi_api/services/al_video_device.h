@@ -36,6 +36,11 @@ class AlVideoDevice {
   /// NAOqi 1.x: the first window of a name bears it as it is, the second is name_2.
   void nameFirstWindowAsAsked() { numbers_first_ = false; }
 
+  /// What getImageRemote answers, or getDirectRawImageRemote.
+  rpc::Pending<rpc::Value> picture(const std::string& handle, bool raw) {
+    return raw ? getDirectRawImage(handle) : getImageRemote(handle);
+  }
+
   /// Ends the getImageRemote calls whose first picture has come. To be called whenever pictures
   /// may have been drawn.
   void deliverImages();

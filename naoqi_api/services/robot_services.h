@@ -47,6 +47,7 @@ class RobotServices {
   void deliver();
 
   memory::RobotMemory& memory() { return memory_; }
+  AlVideoDevice& video() { return video_; }
 
   /// NaoQi's clock.
   Duration now() const { return epoch_ + link_.now().time_since_epoch(); }

@@ -72,6 +72,31 @@ TEST(LocalModule, IsLetInWhereOthersNeedAToken) {
   EXPECT_NE(daemon.readLineWith("module libcycle_module is there"), "");
 }
 
+TEST(LocalModule, ServesTheRobotThatItIsGivenTo) {
+  Process daemon({NAO_PROGRAM, "serve", "--port", "0", "--robot", "a=nao_h25_v50", "--robot",
+                  "b=nao_h21_v33", "--module", std::string("b=") + NAO_CYCLE_MODULE});
+  const auto portOf = [&](const std::string& robot) {
+    const std::string line = daemon.readLineWith("ready: " + robot + " ");
+    return std::stoi(line.substr(line.rfind(':') + 1));
+  };
+  const int first = portOf("a"), second = portOf("b");
+  std::unique_ptr<AL::ALProxy> module;
+  while (!module) {
+    try {
+      module = std::make_unique<AL::ALProxy>("CycleModule", "127.0.0.1", second);
+    } catch (const AL::ALError&) {
+    }
+  }
+  EXPECT_THROW(AL::ALProxy("CycleModule", "127.0.0.1", first), AL::ALError);
+}
+
+TEST(LocalModule, ModulesOfTwoRobotsAreRefusedInOneSentence) {
+  Process daemon({NAO_PROGRAM, "serve", "--port", "0", "--robot", "a=nao_h25_v50", "--robot",
+                  "b=nao_h21_v33", "--module", std::string("b=") + NAO_CYCLE_MODULE, "--module",
+                  NAO_CYCLE_MODULE});
+  EXPECT_EQ(daemon.wait(), 2);
+}
+
 TEST(LocalModule, AFileThatIsNoneIsToldInOneSentence) {
   Process daemon({NAO_PROGRAM, "serve", "--port", "0", "--module", NAO_PROGRAM});
   EXPECT_EQ(daemon.wait(), 2);

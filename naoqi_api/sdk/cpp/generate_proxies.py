@@ -17,6 +17,14 @@ OF_ALL = {"wait", "isRunning", "stop", "exit", "ping", "version", "call", "callV
 KEYWORDS = {"delete", "new", "register", "switch", "default", "class", "template", "operator",
             "private", "public", "this", "union", "export", "import", "continue", "break"}
 
+# What is no call alone: an image that a program of the same process reads as a pointer.
+LOCAL = {"getImageLocal": ("void*", "return detail::localImage(*this, {0}, false)"),
+         "getDirectRawImageLocal": ("void*", "return detail::localImage(*this, {0}, true)"),
+         "releaseImage": ("bool", "detail::releaseLocalImage({0}, false); "
+                                  "return call<bool>(\"releaseImage\", {0})"),
+         "releaseDirectRawImage": ("bool", "detail::releaseLocalImage({0}, true); "
+                                           "return call<bool>(\"releaseDirectRawImage\", {0})")}
+
 HEADER = """#pragma once
 
 // Made from the declarations of {service}; do not edit.
@@ -24,7 +32,7 @@ HEADER = """#pragma once
 #include <string>
 #include <vector>
 
-#include <alcommon/alproxy.h>
+#include <alcommon/alproxy.h>{more}
 
 namespace AL {{
 
@@ -97,11 +105,14 @@ def comment(text):
     return "  /// " + " ".join(text.split()).replace("*/", "* /") if text.strip() else ""
 
 
-def methodText(method, parameters, returned):
+def methodText(service, method, parameters, returned):
     declared = ", ".join("const %s& %s" % one for one in parameters)
     passed = ", ".join(name for _, name in parameters)
     call = '"%s"%s' % (method["name"], ", " + passed if passed else "")
     body = "callVoid(%s)" % call if returned == "void" else "return call<%s>(%s)" % (returned, call)
+    if service == "ALVideoDevice" and method["name"] in LOCAL:
+        returned, body = LOCAL[method["name"]]
+        body = body.format(passed)
     told = comment(method["meaning"])
     return (told + "\n" if told else "") + \
         "  %s %s(%s) const { %s; }\n" % (returned, method["name"], declared, body)
@@ -131,10 +142,12 @@ def headerOf(service):
         if shape in known:
             continue
         known.add(shape)
-        methods += methodText(method, parameters, returned[0])
+        methods += methodText(service["name"], method, parameters, returned[0])
         posts += postText(method, parameters)
     return HEADER.format(service=service["name"], meaning=" ".join(service["meaning"].split()),
-                         methods=methods, posts=posts)
+                         methods=methods, posts=posts,
+                         more="\n#include <usarnaoqi_sdk/local_image.h>"
+                         if service["name"] == "ALVideoDevice" else "")
 
 
 def writeIfNew(path, text):

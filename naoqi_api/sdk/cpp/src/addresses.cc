@@ -10,6 +10,7 @@ namespace {
 struct OwnRobot {
   std::mutex mutex;
   std::optional<Endpoint> endpoint;
+  const UsarnaoqiPictures* pictures = nullptr;
 };
 
 OwnRobot& ownRobot() {
@@ -58,6 +59,16 @@ void setOwnRobot(const Endpoint& endpoint) {
 bool isOwnRobotSet() {
   const std::lock_guard lock(ownRobot().mutex);
   return ownRobot().endpoint.has_value();
+}
+
+void setOwnPictures(const UsarnaoqiPictures* pictures) {
+  const std::lock_guard lock(ownRobot().mutex);
+  ownRobot().pictures = pictures;
+}
+
+const UsarnaoqiPictures* ownPictures() {
+  const std::lock_guard lock(ownRobot().mutex);
+  return ownRobot().pictures;
 }
 
 }  // namespace nao::client

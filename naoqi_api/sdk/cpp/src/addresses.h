@@ -1,5 +1,7 @@
 #pragma once
 
+#include <usarnaoqi_sdk/local_host.h>
+
 #include <string>
 
 #include "naoqi_api/sdk/cpp/src/connection.h"
@@ -14,5 +16,9 @@ Endpoint endpointFor(const std::string& host, int port);
 /// From now on every address means this robot: the one whose process this is.
 void setOwnRobot(const Endpoint& endpoint);
 bool isOwnRobotSet();
+
+/// How a module gets that robot's pictures, or null.
+void setOwnPictures(const UsarnaoqiPictures* pictures);
+const UsarnaoqiPictures* ownPictures();
 
 }  // namespace nao::client

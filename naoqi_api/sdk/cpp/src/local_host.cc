@@ -36,6 +36,7 @@ bool usarnaoqi_sdk_start(const UsarnaoqiRobot* robot, const char* name, void* cr
   host().tell = tell;
   nao::client::setOwnRobot(
       {robot->host, static_cast<std::uint16_t>(robot->port), robot->user, robot->token});
+  nao::client::setOwnPictures(robot->pictures);
   try {
     return create(*robot, name, reinterpret_cast<TMainType>(create_module));
   } catch (const std::exception& error) {

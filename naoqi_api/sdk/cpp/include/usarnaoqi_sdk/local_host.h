@@ -6,12 +6,34 @@
 /// host finds these functions by their names, in whatever a module's library is linked with.
 extern "C" {
 
+/// A camera's picture in the host's memory, to be read only, until its owner is given back.
+struct UsarnaoqiPicture {
+  int width, height, layers;
+  int color;  // NaoQi's number of its colour space
+  int seconds, microseconds;
+  int camera;
+  float angles[4];  // [rad] left, top, right, bottom
+  const void* pixels;
+  int size;  // [bytes]
+  void* owner;
+};
+
+/// How a module gets the pictures of its windows without a copy. Any thread.
+struct UsarnaoqiPictures {
+  void* host;
+  /// The newest picture of a window, or its camera's raw one: false if there is no such window.
+  /// Waits for the first.
+  bool (*lend)(void* host, const char* window, bool raw, UsarnaoqiPicture* picture);
+  void (*giveBack)(void* owner);
+};
+
 /// The robot of this process, and who modules are to it; user and token may be empty.
 struct UsarnaoqiRobot {
   const char* host;
   int port;
   const char* user;
   const char* token;
+  const UsarnaoqiPictures* pictures;  // stays for as long as modules do
 };
 
 /// Takes texts for the log.
