@@ -24,6 +24,7 @@
 #include "core/check.h"
 #include "daemon/daemon.h"
 #include "daemon/descriptor_limit.h"
+#include "daemon/large_blocks.h"
 
 namespace nao::app {
 namespace {
@@ -133,6 +134,7 @@ class Run {
     spdlog::set_default_logger(spdlog::stderr_logger_mt("usarnaoqi"));
     try {
       daemon::raiseDescriptorLimit();
+      daemon::keepLargeBlocks();
       daemon::Daemon daemon(arguments_.options);
       daemon.stopOnSignals();
       daemon.run([&] { open(daemon); });
