@@ -26,5 +26,6 @@ void addPlan(CLI::App& app);
 void addBench(CLI::App& app);
 void addHide(CLI::App& app);
 void addRender(CLI::App& app);
+void addCi(CLI::App& app);
 
 }  // namespace nao::app

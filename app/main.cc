@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
   nao::app::addBench(app);
   nao::app::addHide(app);
   nao::app::addRender(app);
+  nao::app::addCi(app);
   try {
     app.parse(argc, argv);
     return 0;

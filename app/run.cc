@@ -18,6 +18,7 @@
 #include "app/child_process.h"
 #include "app/commands.h"
 #include "app/program_file.h"
+#include "app/scenario_run.h"
 #include "app/shared_clock.h"
 #include "app/source_paths.h"
 #include "clock/futex.h"
@@ -41,6 +42,7 @@ struct Arguments {
   std::string speed = "max";
   bool lockstep = true;
   bool python2 = false;
+  ScenarioRun scenario;
 };
 
 bool isScript(const std::string& word) {
@@ -231,7 +233,18 @@ class Run {
   std::optional<ChildProcess> program_;
 };
 
+void playScenario(Arguments& arguments) {
+  ScenarioRun& scenario = arguments.scenario;
+  scenario.seed = std::max<std::uint64_t>(arguments.options.seed, 1);
+  scenario.speed = daemon::parseSpeed(arguments.speed);
+  scenario.lockstep = arguments.lockstep;
+  scenario.record = arguments.options.record;
+  if (!runScenario(scenario)) throw CLI::RuntimeError(1);
+}
+
 void run(Arguments& arguments) {
+  if (!arguments.scenario.file.empty()) return playScenario(arguments);
+  if (arguments.command.empty()) throw InputError("run: expected a program after --");
   daemon::Options& options = arguments.options;
   for (const std::string& robot : arguments.robots) {
     options.robots.push_back(daemon::parseRobot(robot));
@@ -291,8 +304,11 @@ void addRun(CLI::App& app) {
                       "Writes the run into this FILE, for `usarnaoqi replay`.");
   command->add_flag("--py2", arguments->python2,
                     "The program is Python 2: it runs converted, from a temporary copy.");
-  command->add_option("command", arguments->command, "The program and its arguments, after --.")
-      ->required();
+  command->add_option("--scenario", arguments->scenario.file,
+                      "Runs this scenario, its own clients included, instead of a program.");
+  command->add_option("--result", arguments->scenario.result,
+                      "Writes how the scenario ended, as JSON.");
+  command->add_option("command", arguments->command, "The program and its arguments, after --.");
   command->positionals_at_end();
   command->footer(
       "The program finds the robot whatever address it names: NAOQI_ADDRESS is set, and "

@@ -184,6 +184,9 @@ void addServe(CLI::App& app) {
                    "Simulated seconds per second, or 'max' for as fast as it goes.")
       ->capture_default_str();
   command
+      ->add_flag("--paused", options.paused,
+                 "Time stands at first, until UsarSim.resume or UsarSim.step.");
+  command
       ->add_option(
           "--seed", options.seed,
           "Draws what makes real runs differ, as the robots' files list it under\n"

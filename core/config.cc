@@ -109,6 +109,11 @@ const std::string& Config::file() const { return *node_.file; }
 
 bool Config::has(const std::string& key) { return find(key) != nullptr; }
 
+bool Config::isList(const std::string& key) {
+  const ConfigNode* node = find(key);
+  return node && node->kind == Kind::List;
+}
+
 std::vector<std::string> Config::keys() const { return node_.keys; }
 
 double Config::number(const std::string& key, Interval accepted) {
@@ -217,6 +222,8 @@ void Config::reject(const std::string& key, const std::string& expected) {
   const ConfigNode& node = need(key, expected);
   throwAt(node, key, expected, node.described());
 }
+
+int Config::line() const { return node_.line; }
 
 std::string Config::place() const { return file() + ":" + std::to_string(node_.line); }
 

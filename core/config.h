@@ -38,7 +38,9 @@ class Config {
   static void read(const ConfigNode& root, const Visitor& visit);
 
   bool has(const std::string& key);
+  bool isList(const std::string& key);
   const std::string& file() const;
+  int line() const;
   /// "file:line" of this map, for those who can judge its numbers only later.
   std::string place() const;
   /// The keys of this map in file order, for maps whose keys are names chosen by the user.

@@ -29,6 +29,14 @@ Pose2 placeOf(const RobotOption& robot, std::size_t i) {
   return {0, -kBeside * static_cast<double>(i), 0};
 }
 
+std::shared_ptr<const RobotModel> modelOf(const Options& options, const RobotOption& robot) {
+  auto model = loadRobotModel(options.robots_dir, robot.model);
+  if (robot.effects.empty()) return model;
+  auto changed = std::make_shared<RobotModel>(*model);
+  changed->effects.insert(changed->effects.end(), robot.effects.begin(), robot.effects.end());
+  return changed;
+}
+
 // LoLA has a cycle of its own, whatever the robot's is.
 void setLolaCycle(std::vector<sim::RobotSetup>& robots, const std::vector<LolaOption>& lola) {
   std::vector<std::string> names;
@@ -44,7 +52,7 @@ void setLolaCycle(std::vector<sim::RobotSetup>& robots, const std::vector<LolaOp
 
 runtime::RunStart startOf(const Options& options) {
   runtime::RunStart start;
-  start.world = loadWorldModel(options.world);
+  start.world = options.made_world ? options.made_world : loadWorldModel(options.world);
   std::vector<sim::RobotSetup>& setups = start.robots;
   for (const RobotOption& robot : robotsOf(options, *start.world)) {
     for (const sim::RobotSetup& other : setups) {
@@ -53,8 +61,8 @@ runtime::RunStart startOf(const Options& options) {
                          "' is used twice, expected NAME=MODEL with different names");
       }
     }
-    setups.push_back({robot.name, loadRobotModel(options.robots_dir, robot.model),
-                      placeOf(robot, setups.size()), robot.team});
+    setups.push_back(
+        {robot.name, modelOf(options, robot), placeOf(robot, setups.size()), robot.team});
   }
   setLolaCycle(setups, options.lola);
   start.step = fromSeconds(options.step);
@@ -79,6 +87,7 @@ Daemon::Daemon(const Options& options, const runtime::RunStart& start)
         loop_.wake();
         scheduleDelivery();
       }) {
+  if (options.paused) loop_.beginPaused();
   startClock();
   simulation_.watch(run_hash_);
   if (!options.record.empty()) simulation_.watch(recorder_.emplace(options.record, start));
@@ -225,6 +234,13 @@ void Daemon::deliver() {
   delivery_due_ = false;
   const auto outcomes = loop_.outcomes().drain();
   for (auto& host : hosts_) host->deliver(outcomes);
+  if (director_ && director_->look(*loop_.state().get())) loop_.wake();
+}
+
+void Daemon::follow(Director& director) {
+  director_ = &director;
+  loop_.lockTo([&director](SimTime now) { return director.waits(now); });
+  loop_.beforeBeat([this, &director] { director.direct(simulation_); });
 }
 
 }  // namespace nao::daemon

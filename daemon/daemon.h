@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "daemon/camera_loop.h"
+#include "daemon/director.h"
 #include "daemon/local_modules.h"
 #include "daemon/lola_sender.h"
 #include "daemon/options.h"
@@ -60,6 +61,15 @@ class Daemon {
     loop_.onCycle(std::move(told));
   }
 
+  /// Before run(): `director`, which outlives run(), follows the world.
+  void follow(Director& director);
+
+  /// Of a robot, for who follows the world; I/O thread.
+  memory::RobotMemory& memory(std::size_t robot) { return hosts_[robot]->memory(); }
+
+  /// From now on; with Options::wire_faults alone. I/O thread.
+  void disturbWire(std::size_t robot, const WireFault& fault) { hosts_[robot]->wire()->set(fault); }
+
   /// Before run(): what the seed has drawn for this run, by name; empty without one.
   std::map<std::string, double> draw() { return simulation_.world().draw(); }
 
@@ -101,6 +111,7 @@ class Daemon {
   std::string module_token_;
   std::vector<std::unique_ptr<RobotHost>> hosts_;
   std::vector<std::unique_ptr<LolaSender>> lola_;  // of the robots that have a socket
+  Director* director_ = nullptr;
   std::atomic<bool> delivery_due_{false};
 };
 

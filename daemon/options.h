@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ struct RobotOption {
   std::string model;
   Pose2 start;
   std::optional<Color> team = std::nullopt;  // of its shirt
+  std::vector<EffectSetting> effects = {};   // beside those of its file
 };
 
 /// A LoLA socket: `ROBOT=PATH`, or a path alone for the first robot that has none.
@@ -31,6 +33,7 @@ struct Options {
   std::vector<RobotOption> robots;  // empty: those of the world file, else one nao_h21_v33, or
                                     // with LoLA a nao_h25_v60
   std::string world = "worlds/empty.yaml";
+  std::shared_ptr<const WorldModel> made_world;  // in place of that file; null: none
   std::string robots_dir = "robots";
   /// Folders of motions and behaviors that every robot has installed, beside those in its own
   /// robots_dir/<model>/motions; later ones win.
@@ -60,6 +63,8 @@ struct Options {
   double speed = 1;     // simulated seconds per second; infinite: as fast as it goes
   double step = 0.002;  // [s] of the physics
   sim::Mode mode = sim::Mode::Implicit;
+  bool wire_faults = false;  // the wires of qi and msgpack-RPC can be disturbed
+  bool paused = false;     // time stands at first, until UsarSim.resume or step
   std::uint64_t seed = 0;  // 0: no variation, every run is the same
   std::string record;      // the run is written into this file; empty: into none
   std::string data_dir;    // clients' files are below it; empty: they have none

@@ -16,14 +16,15 @@ namespace {
 
 using boost::asio::ip::tcp;
 
-MakeStream plainStreams(TurnGate* gate) {
-  return [gate](tcp::socket socket, Stream::ReadBuffer& buffer) -> std::unique_ptr<Stream> {
+MakeStream plainStreams(TurnGate* gate, WireDelay* wire) {
+  return [gate, wire](tcp::socket socket, Stream::ReadBuffer& buffer) -> std::unique_ptr<Stream> {
     boost::system::error_code gone;
     const std::uint16_t from = socket.remote_endpoint(gone).port();
     const std::uint16_t to = socket.local_endpoint(gone).port();
-    auto stream = std::make_unique<TcpStream>(std::move(socket), buffer);
-    if (!gate) return stream;
-    return gate->guard(std::move(stream), from, to);
+    std::unique_ptr<Stream> stream = std::make_unique<TcpStream>(std::move(socket), buffer);
+    if (gate) stream = gate->guard(std::move(stream), from, to);
+    if (wire) stream = wire->over(std::move(stream));
+    return stream;
   };
 }
 
@@ -58,7 +59,8 @@ std::string urlOf(const std::string& scheme, const std::string& host, std::uint1
 }  // namespace
 
 RobotEndpoints::RobotEndpoints(boost::asio::io_context& io, const Options& options,
-                               std::size_t robot, rpc::ServiceHub& hub, TurnGate* gate)
+                               std::size_t robot, rpc::ServiceHub& hub, TurnGate* gate,
+                               WireDelay* wire)
     : hosts_(options.listen) {
   checkSecurity(options);
   const auto address = [&](std::uint16_t first, const char* option) {
@@ -66,14 +68,16 @@ RobotEndpoints::RobotEndpoints(boost::asio::io_context& io, const Options& optio
   };
   const auto budget = std::make_shared<ByteBudget>();
   const auto qi = connectionsTo<wire::QiConnection>(hub);
-  qi_ = std::make_unique<Server>(io, address(options.port, "--port"), plainStreams(gate), qi, budget);
+  qi_ = std::make_unique<Server>(io, address(options.port, "--port"), plainStreams(gate, wire), qi,
+                                 budget);
   if (const auto port = options.tls_port) {
     tls_ =
         std::make_unique<Server>(io, address(*port, "--tls-port"), tlsStreams(options), qi, budget);
   }
   if (const auto port = options.msgpack_port) {
-    msgpack_ = std::make_unique<Server>(io, address(*port, "--msgpack-port"), plainStreams(gate),
-                                        connectionsTo<wire::MsgpackConnection>(hub), budget);
+    msgpack_ =
+        std::make_unique<Server>(io, address(*port, "--msgpack-port"), plainStreams(gate, wire),
+                                 connectionsTo<wire::MsgpackConnection>(hub), budget);
   }
   if (const auto port = options.http_port) {
     const WebContent content{readFile(options.pages + "/index.html"),

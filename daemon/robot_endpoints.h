@@ -9,6 +9,7 @@
 #include "daemon/server.h"
 #include "daemon/turn_gate.h"
 #include "daemon/web_server.h"
+#include "daemon/wire_delay.h"
 #include "naoqi_api/service_hub.h"
 
 namespace nao::daemon {
@@ -17,10 +18,11 @@ namespace nao::daemon {
 /// the web. I/O thread. The hub outlives it.
 class RobotEndpoints {
  public:
-  /// With a gate, clients of qi and msgpack-RPC are heard when it opens.
+  /// With a gate, clients of qi and msgpack-RPC are heard when it opens; with a wire, all that they
+  /// say and hear goes over it.
   /// @throws InputError when a port can not be listened on, or the options leave it open to all.
   RobotEndpoints(boost::asio::io_context& io, const Options& options, std::size_t robot,
-                 rpc::ServiceHub& hub, TurnGate* gate = nullptr);
+                 rpc::ServiceHub& hub, TurnGate* gate = nullptr, WireDelay* wire = nullptr);
 
   std::uint16_t qiPort() const { return qi_->port(); }
   /// Where its clients come through the gate, if there is one.

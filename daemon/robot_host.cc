@@ -26,7 +26,10 @@ RobotHost::RobotHost(const HostContext& context, std::size_t robot)
   services_.addTo(hub_);
   usar_sim_.watch(images_, pictures_);
   hub_.add(usar_sim_.describe());
-  endpoints_ = std::make_unique<RobotEndpoints>(context.io, context.options, robot, hub_, context.gate);
+  if (context.options.wire_faults)
+    wire_ = std::make_unique<WireDelay>(context.options.seed + robot);
+  endpoints_ = std::make_unique<RobotEndpoints>(context.io, context.options, robot, hub_,
+                                                context.gate, wire_.get());
   if (!context.lola.empty()) offerLola(context, robot);
 }
 
@@ -119,6 +122,7 @@ void RobotHost::deliver(const std::vector<LoopOutcome>& outcomes) {
   link_.deliver();
   services_.deliver();
   usar_sim_.deliver(outcomes);
+  if (wire_) wire_->advance(link_.now());
   if (lola_) lola_->deliver();
   if (lola_cameras_) lola_cameras_->deliver();
 }

@@ -51,6 +51,11 @@ class RobotHost {
     return services_.video().picture(window, raw);
   }
 
+  memory::RobotMemory& memory() { return services_.memory(); }
+
+  /// The robot's wire, or null unless it can be disturbed.
+  WireDelay* wire() { return wire_.get(); }
+
   /// The robot's LoLA socket, or null.
   const LolaServer* lola() const { return lola_.get(); }
   /// The ports of its cameras for LoLA programs, top first; empty: there are none.
@@ -82,6 +87,7 @@ class RobotHost {
   UsarSim usar_sim_;
   services::RobotServices services_;
   rpc::ServiceHub hub_;
+  std::unique_ptr<WireDelay> wire_;
   std::unique_ptr<RobotEndpoints> endpoints_;
   std::unique_ptr<LolaServer> lola_;
   std::unique_ptr<LolaCameras> lola_cameras_;

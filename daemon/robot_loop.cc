@@ -77,7 +77,9 @@ void RobotLoop::run() {
 
 bool RobotLoop::mayAdvance() {
   if (!simulation_.world().healthy() || (paused_ && steps_left_ == 0)) return false;
-  if (waits_ && waits_(simulation_.now())) return false;
+  for (const auto& waits : waits_) {
+    if (waits(simulation_.now())) return false;
+  }
   const bool exact = paused_ || turns_ || std::isinf(pace_.speed());  // else a late picture is dropped
   return !(exact && hold_ && hold_());
 }
@@ -116,6 +118,7 @@ SimTime RobotLoop::nextBeat() const {
 }
 
 void RobotLoop::advanceTo(SimTime time) {
+  if (before_beat_) before_beat_();
   const auto cycles = simulation_.now().time_since_epoch() / kCycle;
   simulation_.advanceTo(time);
   if (simulation_.now().time_since_epoch() / kCycle != cycles) hostGuests();

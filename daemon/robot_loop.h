@@ -73,9 +73,13 @@ class RobotLoop {
   /// Before start(): meets the simulation also at every multiple of `cycle`, at its time and not
   /// before, and catches up less than one of them when it is late.
   void keepBeat(Duration cycle);
-  /// Before start(): while this is true the world waits, at any speed. Called on the simulation
-  /// thread; must not block.
-  void lockTo(std::function<bool(SimTime now)> waits) { waits_ = std::move(waits); }
+  /// Before start(): while this is true the world waits, at any speed; one more of them. Called on
+  /// the simulation thread; must not block.
+  void lockTo(std::function<bool(SimTime now)> waits) { waits_.push_back(std::move(waits)); }
+  /// Before start(): time stands at first.
+  void beginPaused() { paused_ = true; }
+  /// Before start(): called on the simulation thread whenever time is about to go on.
+  void beforeBeat(std::function<void()> act) { before_beat_ = std::move(act); }
   /// Those who act at the end of a cycle, while time stands still, and ask for what is then done
   /// before the next.
   struct Guests {
@@ -120,7 +124,8 @@ class RobotLoop {
   runtime::Simulation& simulation_;
   std::function<void()> after_cycle_;
   std::function<bool()> hold_;
-  std::function<bool(SimTime)> waits_;
+  std::vector<std::function<bool(SimTime)>> waits_;
+  std::function<void()> before_beat_;
   std::vector<Duration> beats_;  // how often it looks at requests and clocks, simulated
   Guests guests_;
   WorldTurns* turns_ = nullptr;
