@@ -11,6 +11,8 @@ NAME, VERSION = "usarnaoqi_sdk", "0.1"
 PACKAGES = ["usarnaoqi_sdk", "usarnaoqi_behavior"]
 START = ("usarnaoqi_sdk.pth", b"import usarnaoqi_sdk.finder; usarnaoqi_sdk.finder.install()\n")
 INFO = "%s-%s.dist-info" % (NAME, VERSION)
+# pytest finds its plug-in by this.
+ENTRY_POINTS = "[pytest11]\nusarnaoqi = usarnaoqi_sdk.pytest_plugin\n"
 METADATA = """Metadata-Version: 2.1
 Name: usarnaoqi-sdk
 Version: %s
@@ -29,6 +31,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     """The hook that pip calls, in this folder; returns the wheel's file name."""
     files = {path: _read(path) for path in _packageFiles()}
     files[START[0]] = START[1]
+    files[INFO + "/entry_points.txt"] = ENTRY_POINTS.encode()
     files[INFO + "/METADATA"] = METADATA.encode()
     files[INFO + "/WHEEL"] = WHEEL.encode()
     record = "".join("%s,sha256=%s,%d\n" % (path, _digest(data), len(data))
