@@ -108,7 +108,9 @@ TEST_F(WireDelayTest, WhatIsLostComesAgainLaterAndNothingIsMissing) {
     advance(Duration(10s * i) + 190ms);
     EXPECT_EQ(end_.written.size(), before);
     advance(Duration(10s * i) + 9s);
-    if (i < 9) EXPECT_EQ(end_.written.size(), before + 1);
+    if (i < 9) {
+      EXPECT_EQ(end_.written.size(), before + 1);
+    }
   }
   advance(std::chrono::hours(1));
   EXPECT_EQ(end_.written.size(), 200u);
