@@ -270,10 +270,11 @@ void addRun(CLI::App& app) {
   daemon::Options& options = arguments->options;
   CLI::App* command = app.add_subcommand(
       "run", "Runs a program with a robot of its own, which ends with it: run -- python3 file.py");
-  command->add_option(
-      "--robot", arguments->robots,
-      "A robot of the folder robots/ or a FILE.urdf, as MODEL or NAME=MODEL. Default: "
-      "nao_h21_v33.");
+  command
+      ->add_option("--robot", arguments->robots,
+                   "A robot of the folder robots/ or a FILE.urdf, as MODEL or NAME=MODEL. Default: "
+                   "nao_h21_v33.")
+      ->allow_extra_args(false);
   command->add_option("--world", options.world, "The world, a YAML file.")->capture_default_str();
   command
       ->add_option("--speed", arguments->speed,
