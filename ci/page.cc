@@ -1,7 +1,13 @@
 #include "ci/page.h"
 
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <vector>
+
 #include "ci/junit.h"
 #include "ci/sentence.h"
+#include "core/check.h"
 #include "validation/html.h"
 #include "validation/play_report.h"
 #include "validation/plot.h"
@@ -52,6 +58,30 @@ std::string filmstripOf(const Course& course) {
   return out + "</div>\n";
 }
 
+// As wide as what was, and half a metre at least: who stands still is a point.
+std::array<double, 2> rangeOf(const std::vector<validation::Series>& series,
+                              std::vector<double> validation::Series::*axis) {
+  double low = std::numeric_limits<double>::max();
+  double high = std::numeric_limits<double>::lowest();
+  for (const validation::Series& one : series) {
+    for (const double value : one.*axis) {
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+  const double room = std::max(0.05 * (high - low), 0.25 - 0.5 * (high - low));
+  return {low - room, high + room};
+}
+
+// A picture, or why there is none.
+std::string draw(const validation::Picture& picture) {
+  try {
+    return validation::drawSvg(picture);
+  } catch (const InputError& error) {
+    return "<p>" + escapeHtml(error.what()) + "</p>\n";
+  }
+}
+
 // Where robots and balls were on the floor, from above.
 std::string tracksOf(const Course& course) {
   validation::Panel panel = validation::makePanel("Tracks on the floor", "x [m]", "y [m]");
@@ -64,7 +94,9 @@ std::string tracksOf(const Course& course) {
   for (const auto& robot : course.robots) add(robot.name, robot, validation::Stroke::Line);
   for (const auto& ball : course.balls) add(ball.name, ball, validation::Stroke::Points);
   panel.key = "outside";
-  return validation::drawSvg({"", {panel}, 1, 700, 420});
+  panel.x_range = rangeOf(panel.series, &validation::Series::x);
+  panel.y_range = rangeOf(panel.series, &validation::Series::y);
+  return draw({"", {panel}, 1, 700, 420});
 }
 
 // As validation plots a motion that was played.
@@ -79,7 +111,7 @@ std::string jointsOf(const Course& course, const Course::Robot& robot, const Mod
   if (chains == model->groups.end()) return out;
   for (const std::string& chain : chains->second) {
     const validation::Picture picture = validation::drawTracking(*model, played, chain);
-    if (!picture.panels.empty()) out += validation::drawSvg(picture);
+    if (!picture.panels.empty()) out += draw(picture);
   }
   return out;
 }

@@ -118,10 +118,13 @@ class Script {
       high = std::max(high, *std::max_element(series.x.begin(), series.x.end()));
     }
     const bool bars = !panel.categories.empty();
+    const double least = 1e-4 * std::max({std::abs(low), std::abs(high), 1e-3});  // no range at all
     const double room = bars          ? 0.6
                         : panel.log_x ? 0.03 * std::log(high / low)
-                                      : 0.015 * (high - low);
-    if (panel.log_x) {
+                                      : std::max(0.015 * (high - low), least);
+    if (panel.x_range[0] != panel.x_range[1]) {
+      out_ << "set xrange [" << panel.x_range[0] << ":" << panel.x_range[1] << "]\n";
+    } else if (panel.log_x) {
       out_ << "set xrange [" << low * std::exp(-room) << ":" << high * std::exp(room) << "]\n";
     } else {
       out_ << "set xrange [" << low - room << ":" << high + room << "]\n";

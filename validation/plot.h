@@ -29,6 +29,7 @@ struct Panel {
   std::vector<Series> series;
   bool log_x = false;
   bool log_y = false;
+  std::array<double, 2> x_range{0, 0};  // equal: as wide as the data
   std::array<double, 2> y_range{0, 0};  // equal: as the data ask
   std::vector<double> x_ticks;          // empty: as the data ask
   std::string key = "top right";        // where the labels stand; "outside": beside the axes

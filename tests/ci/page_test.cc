@@ -55,6 +55,21 @@ TEST(Page, ShowsTheLastSecondsOfWhatFailed) {
   }
 }
 
+// To six digits the robot is where it was: gnuplot refuses an axis without a length.
+TEST(Page, DrawsARobotThatStoodStill) {
+  JobResult job = failed();
+  job.result.course.robots[0].x = {0.4695, 0.4695 + 1e-9};
+  job.result.course.robots[0].y = {0.02377, 0.02377};
+  const std::string page = pageOf({job});
+  EXPECT_EQ(page.find("gnuplot could not draw"), std::string::npos);
+  try {
+    validation::requireGnuplot();
+  } catch (const InputError&) {
+    GTEST_SKIP() << "gnuplot is not installed";
+  }
+  EXPECT_NE(page.find("Tracks on the floor"), std::string::npos);
+}
+
 TEST(Page, NeedsNoPicturesWhereAllPassed) {
   const std::string page = pageOf({passed()});
   EXPECT_NE(page.find("All 1 runs passed"), std::string::npos);
