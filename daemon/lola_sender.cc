@@ -5,6 +5,7 @@
 #include <sys/ioctl.h>
 #include <sys/socket.h>
 
+#include <cerrno>
 #include <string>
 #include <utility>
 
@@ -37,14 +38,19 @@ void LolaSender::send(const SensorFrame& frame, const JointCommand& command) {
   const auto sent =
       ::send(peer->descriptor(), bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
   if (sent == static_cast<ssize_t>(bytes.size())) sent_to_ = peer->number();
+  if (sent < 0 && errno != EAGAIN) gone_ = peer->number();
 }
 
 bool LolaSender::holdsTime(SimTime now) {
   if (!lockstep_.patience || now.time_since_epoch() % kCycle != Duration::zero()) return false;
   const auto peer = meeting_->peer.get();
   came_ = came_ || peer;
-  if (!came_ || (!peer && lockstep_.for_next)) return true;
-  if (peer && peer->number() == sent_to_ && heard() == heard_then_ && isPatient()) return true;
+  if (!came_) return true;
+  if (heard() == heard_then_) {  // an answered frame is followed by the next, whoever is there
+    const bool is_there = peer && peer->number() != gone_;
+    if (!is_there && lockstep_.for_next) return true;
+    if (is_there && peer->number() == sent_to_ && isPatient()) return true;
+  }
   waits_since_.reset();
   return false;
 }

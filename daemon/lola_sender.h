@@ -43,6 +43,7 @@ class LolaSender {
   const Lockstep lockstep_;
   bool came_ = false;          // a client has, once
   std::uint64_t sent_to_ = 0;  // the last frame; 0: it was not sent
+  std::uint64_t gone_ = 0;     // the last client that had closed when a frame was sent
   std::uint64_t heard_then_ = 0;
   std::optional<std::chrono::steady_clock::time_point> waits_since_;
   bool gave_up_ = false;
