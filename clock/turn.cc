@@ -1,9 +1,5 @@
 #include "clock/turn.h"
 
-#include <pthread.h>
-#include <sched.h>
-#include <unistd.h>
-
 #include <csignal>
 
 #include "clock/futex.h"
@@ -185,10 +181,9 @@ Woken waitFor(Waiting& waiting, std::int64_t deadline) {
   Slot* slot = taker();
   if (!slot) return follow(waiting, deadline);
   const Inside guard;
-  bool there = false;
   for (bool waited = false;; waited = true) {
     settleLinks();
-    if (there || waiting.isThere()) break;
+    if (waiting.isThere()) break;
     if (page()->now.load() >= deadline) {
       if (waited) run(*slot);
       return Woken::Late;
@@ -196,8 +191,8 @@ Woken waitFor(Waiting& waiting, std::int64_t deadline) {
     looks = 0;
     slot->deadline = deadline;
     slot->looked = page()->happened.load();
-    const bool interrupted = waitForTurn(*slot, SlotState::Trying);
-    if (interrupted && !(there = waiting.isThere())) {
+    if (waitForTurn(*slot, SlotState::Trying)) {
+      if (waiting.isThere()) break;  // asked once: what it is may be taken by asking
       run(*slot);
       return Woken::Interrupted;
     }
