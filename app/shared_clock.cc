@@ -9,14 +9,9 @@
 
 #include "clock/futex.h"
 #include "core/check.h"
+#include "daemon/epoch.h"
 
 namespace nao::app {
-namespace {
-
-// NaoQi's clock at the start of every world, so that runs repeat: 13 March 2011.
-constexpr std::int64_t kEpoch = 1300000000 * clock::kSecond;
-
-}  // namespace
 
 SharedClock::SharedClock(clock::Mode mode) {
   file_ = ::memfd_create("usarnaoqi-clock", MFD_CLOEXEC);
@@ -27,7 +22,7 @@ SharedClock::SharedClock(clock::Mode mode) {
   if (at == MAP_FAILED) throw InputError("run: the system gives no memory to share");
   page_ = new (at) clock::ClockPage{};
   page_->mode = mode;
-  page_->epoch = kEpoch;
+  page_->epoch = std::chrono::nanoseconds(daemon::kEpoch).count();
   page_->speed = 1;
   page_->holder = clock::kWorld;
   page_->magic = clock::kMagic;

@@ -5,15 +5,10 @@
 
 #include <filesystem>
 
+#include "daemon/epoch.h"
 #include "daemon/machine_id.h"
 
 namespace nao::daemon {
-namespace {
-
-// NaoQi's clock at the start of every world, so that runs repeat: 13 March 2011.
-constexpr std::chrono::seconds kEpoch{1300000000};
-
-}  // namespace
 
 RobotHost::RobotHost(const HostContext& context, std::size_t robot)
     : link_(context.simulation.robot(robot).sharedModel(), context.simulation.robot(robot).ports()),
