@@ -64,9 +64,17 @@ void writeSignals(const ReplayRunOptions& options, const validation::RunLog& log
   if (!options.set_out.empty()) validation::writeLogSet(set, options.set_out);
 }
 
+void checkStretch(const ReplayRunOptions& options, const Recording& recording) {
+  if (options.from > options.to) throw InputError("--from, --to: expected --from before --to");
+  if (fromSeconds(options.from) <= recording.length()) return;
+  throw InputError("--from: the recording ends at " +
+                   std::to_string(toSeconds(recording.length())) + " s");
+}
+
 // True if every recorded state was met.
 bool replayOnce(const ReplayRunOptions& options, const Recording& recording,
                 const runtime::RunStart& start) {
+  checkStretch(options, recording);
   const validation::Stretch stretch{fromSeconds(options.from), fromSeconds(options.to)};
   Replayer replayer(recording, start);
   if (options.inputs) listInputs(recording, stretch);

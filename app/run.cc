@@ -305,11 +305,17 @@ void addRun(CLI::App& app) {
                       "Writes the run into this FILE, for `usarnaoqi replay`.");
   command->add_flag("--py2", arguments->python2,
                     "The program is Python 2: it runs converted, from a temporary copy.");
-  command->add_option("--scenario", arguments->scenario.file,
-                      "Runs this scenario, its own clients included, instead of a program.");
-  command->add_option("--result", arguments->scenario.result,
-                      "Writes how the scenario ended, as JSON.");
-  command->add_option("command", arguments->command, "The program and its arguments, after --.");
+  CLI::Option* program = command->add_option("command", arguments->command,
+                                             "The program and its arguments, after --.");
+  CLI::Option* scenario =
+      command
+          ->add_option("--scenario", arguments->scenario.file,
+                       "Runs this scenario, its own clients included, instead of a program.")
+          ->excludes(program);
+  command
+      ->add_option("--result", arguments->scenario.result,
+                   "Writes how the scenario ended, as JSON.")
+      ->needs(scenario);
   command->positionals_at_end();
   command->footer(
       "The program finds the robot whatever address it names: NAOQI_ADDRESS is set, and "

@@ -60,6 +60,8 @@ class RecordingTest(unittest.TestCase):
         self.assertEqual(sorted(os.listdir(self.folder)), ["program.py", "run.rec"])
         self.assertRegex(self.replay("run.rec", "--from", "1", "--to", "2"),
                          r"from 1.000 to 2.000 s all 11 recorded states are the same")
+        self.replay("run.rec", "--from", "99", code=2)  # where there is nothing to be the same
+        self.replay("run.rec", "--from", "2", "--to", "1", code=2)
 
     def testTwoRunsAreCompared(self):
         self.record("one.rec")

@@ -56,6 +56,8 @@ class RunTest(unittest.TestCase):
     def testWhatIsNoProgramIsTold(self):
         self.run_("--", "./no-such-program", code=127)
         self.run_(code=2)
+        self.run_("--result", "r.json", "--", "true", code=2)  # of a scenario alone
+        self.run_("--scenario", "s.yaml", "--", "true", code=2)
 
     def testPython2IsConvertedAndNothingStays(self):
         self.write("old.py", "import sys\nfrom naoqi import ALProxy\n"
