@@ -117,7 +117,7 @@ class Run {
     const std::string why = file.empty() ? "" : whyNoClock(file);
     if (!arguments_.options.lola.empty()) {  // frames are its time
       if (arguments_.lockstep) arguments_.options.lola_lockstep = kFramePatience;
-      arguments_.options.lola_waits_for_next = true;  // or it ends
+      arguments_.options.lola_to_the_end = true;
       has_clock_ = arguments_.lockstep = false;
     } else if (!why.empty()) {
       std::fprintf(stderr,

@@ -120,9 +120,9 @@ void Daemon::makeHosts() {
   const auto sockets = lolaPaths(options_.lola, names);
   std::size_t with_lola = 0;
   for (std::size_t i = 0; i < simulation_.robotCount(); ++i) {
-    const HostContext context{io_,      loop_,        simulation_, options_, credentials,
-                              task_ids, script_token, sockets[i],  with_lola,
-                              turns_ ? &turns_->gate() : nullptr};
+    const HostContext context{
+        io_,      loop_,        simulation_, options_,  credentials,
+        task_ids, script_token, sockets[i],  with_lola, turns_ ? &turns_->gate() : nullptr};
     if (!sockets[i].empty()) ++with_lola;
     hosts_.push_back(std::make_unique<RobotHost>(context, i));
     cameras_.add(hosts_.back()->pictures());
@@ -131,24 +131,31 @@ void Daemon::makeHosts() {
 }
 
 void Daemon::startLola() {
-  LolaSender::Lockstep lockstep;
-  if (options_.lola_lockstep) lockstep.patience = LolaSender::Seconds(*options_.lola_lockstep);
-  lockstep.for_next = options_.lola_waits_for_next;
+  std::optional<LolaSender::Seconds> patience;
+  if (options_.lola_lockstep) patience = LolaSender::Seconds(*options_.lola_lockstep);
   for (std::size_t i = 0; i < hosts_.size(); ++i) {
     if (!lola(i)) continue;
     lola_.push_back(std::make_unique<LolaSender>(
         wire::LolaSensors(robotModel(i), wire::lolaIdentity(i), options_.lola_battery),
-        lola(i)->meeting(), lockstep));
+        lola(i)->meeting(), patience));
     simulation_.tellCycles(i, [&sender = *lola_.back()](const auto& frame, const auto& command) {
       sender.send(frame, command);
     });
   }
   if (lola_.empty()) return;
   loop_.keepBeat(LolaSender::kCycle);
-  loop_.lockTo([this](SimTime now) {
-    return std::any_of(lola_.begin(), lola_.end(),
-                       [now](const auto& sender) { return sender->holdsTime(now); });
-  });
+  loop_.lockTo([this](SimTime now) { return lolaHolds(now); });
+}
+
+// One client that is waited for is enough; those who have gone only if nobody else is there.
+bool Daemon::lolaHolds(SimTime now) {
+  bool all_rest = true;
+  for (const auto& sender : lola_) {
+    const LolaSender::Wish wish = sender->wish(now);
+    if (wish == LolaSender::Wish::Wait) return true;
+    all_rest &= wish == LolaSender::Wish::Rest;
+  }
+  return all_rest && options_.lola_to_the_end;
 }
 
 void Daemon::inviteModules() {
@@ -203,8 +210,18 @@ void Daemon::run(const std::function<void()>& ready) {
   for (auto& host : hosts_) host->close();
 }
 
+// What LoLA programs have ordered is still done, up to where the world would wait for them.
+void Daemon::finishLola() {
+  for (const auto& host : hosts_) {
+    if (host->lola()) host->lola()->finish();
+  }
+  loop_.finish([this] { io_.stop(); });
+}
+
 // Modules that end still call their robot; one that hangs is left.
 void Daemon::stop() {
+  if (options_.lola_lockstep && options_.lola_to_the_end)
+    return boost::asio::post(io_, [this] { finishLola(); });
   if (!modules_) return io_.stop();
   constexpr std::chrono::seconds kLongest{5};
   modules_->end([this] { io_.stop(); });

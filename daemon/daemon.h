@@ -37,7 +37,8 @@ class Daemon {
   /// Serves until stop(). Calls `ready` once clients may connect.
   void run(const std::function<void()>& ready = {});
 
-  /// Ends run(), once local modules have ended. From any thread.
+  /// Ends run(), once local modules have ended, or the world has come to the end of what LoLA
+  /// clients have ordered (Options::lola_to_the_end). From any thread.
   void stop();
 
   /// From now on Ctrl-C and SIGTERM end run().
@@ -91,6 +92,8 @@ class Daemon {
   void deliver();
   void makeHosts();
   void startLola();
+  bool lolaHolds(SimTime now);
+  void finishLola();
   void startClock();
   void inviteModules();
   void startModules();

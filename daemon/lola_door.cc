@@ -47,17 +47,27 @@ struct LolaDoor::Impl : std::enable_shared_from_this<Impl> {
     acceptor.open(endpoint.protocol(), error);
     if (!error) acceptor.bind(endpoint, error);
     if (!error) acceptor.listen(boost::asio::socket_base::max_listen_connections, error);
+    if (!error) acceptor.non_blocking(true, error);
     if (error) fail(path, "can not be listened on: " + error.message());
     ::lstat(path.c_str(), &made);
   }
 
   void accept() {
-    acceptor.async_accept([self = shared_from_this()](const Error& error, Socket socket) {
-      if (!self->acceptor.is_open()) return;
-      if (error) return self->acceptLater();
-      self->take(std::move(socket));
-      self->accept();
-    });
+    acceptor.async_wait(stream_protocol::acceptor::wait_read,
+                        [self = shared_from_this()](const Error& /*error*/) {
+                          if (!self->acceptor.is_open()) return;
+                          self->takeWaiting() ? self->accept() : self->acceptLater();
+                        });
+  }
+
+  // False: somebody waits who can not be let in.
+  bool takeWaiting() {
+    for (;;) {
+      Error error;
+      Socket socket = acceptor.accept(error);
+      if (error) return error == boost::asio::error::would_block;
+      take(std::move(socket));
+    }
   }
 
   // No descriptor is left: one may be free soon.
@@ -97,6 +107,7 @@ LolaDoor::LolaDoor(boost::asio::io_context& io, const std::string& path, const T
 LolaDoor::~LolaDoor() { close(); }
 
 const std::string& LolaDoor::path() const { return impl_->path; }
+void LolaDoor::takeWaiting() { impl_->takeWaiting(); }
 void LolaDoor::close() { impl_->close(); }
 
 }  // namespace nao::daemon

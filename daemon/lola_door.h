@@ -23,6 +23,9 @@ class LolaDoor {
   ~LolaDoor();
 
   const std::string& path() const;
+
+  /// Lets in those who wait now.
+  void takeWaiting();
   void close();
 
  private:

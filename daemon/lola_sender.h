@@ -20,31 +20,35 @@ class LolaSender {
 
   using Seconds = std::chrono::duration<double>;
 
-  /// How the world waits for clients.
-  struct Lockstep {
-    std::optional<Seconds> patience;  // for an answer, of the wall; none: it does not wait at all
-    bool for_next = false;            // for another client, too, when the first one has gone
-  };
-  LolaSender(wire::LolaSensors encoder, std::shared_ptr<LolaMeeting> meeting, Lockstep lockstep);
+  /// `patience`: of the wall, for an answer; none: the world does not wait at all.
+  LolaSender(wire::LolaSensors encoder, std::shared_ptr<LolaMeeting> meeting,
+             std::optional<Seconds> patience);
 
   void send(const SensorFrame& frame, const JointCommand& command);
 
-  /// Whether the world has to wait at `now`: for its first client, and then, before each of the
-  /// robot's cycles, for the answer to the frame before. A client that takes too long is waited for
-  /// again once it has answered.
-  bool holdsTime(SimTime now);
+  /// What the client asks of the time. Every client that comes and every answer is followed by one
+  /// cycle, whether its client is still there or not; so it does not matter when that is seen.
+  enum class Wish {
+    Go,    // a cycle is due; or no cycle is near, or nobody is waited for
+    Wait,  // for the first client, or for the answer to the last frame
+    Rest,  // the client has gone, all that it ordered has been done
+  };
+  /// At `now`, before a cycle. A client that takes too long is waited for again once it has
+  /// answered.
+  Wish wish(SimTime now);
 
  private:
-  std::uint64_t heard() const;
+  void sendTo(LolaPeer& peer, const SensorFrame& frame, const JointCommand& command);
+  bool isThere(const LolaNews& news) const;
   bool isPatient();
 
   wire::LolaSensors encoder_;
   std::shared_ptr<LolaMeeting> meeting_;
-  const Lockstep lockstep_;
-  bool came_ = false;          // a client has, once
-  std::uint64_t sent_to_ = 0;  // the last frame; 0: it was not sent
-  std::uint64_t gone_ = 0;     // the last client that had closed when a frame was sent
-  std::uint64_t heard_then_ = 0;
+  const std::optional<Seconds> patience_;
+  std::uint64_t greeted_ = 0;   // clients whose first cycle has been
+  std::uint64_t followed_ = 0;  // answers whose cycle has been
+  std::uint64_t sent_to_ = 0;   // whose client's number the last frame was sent to; 0: to nobody
+  std::uint64_t gone_ = 0;      // the last client that had closed when a frame was sent
   std::optional<std::chrono::steady_clock::time_point> waits_since_;
   bool gave_up_ = false;
 };

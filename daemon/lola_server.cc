@@ -16,36 +16,53 @@ LolaServer::LolaServer(boost::asio::io_context& io, const std::string& path, Rob
 
 LolaServer::~LolaServer() { close(); }
 
+void LolaServer::finish() {
+  door_.takeWaiting();
+  if (session_) session_->hearRest();
+  close();
+}
+
 void LolaServer::close() {
   door_.close();
   if (session_) session_->close();
   session_.reset();
-  meeting_->peer.publish(std::shared_ptr<const LolaPeer>());
+  if (!news_.peer) return;
+  news_.peer.reset();
+  tellNews();
 }
 
 void LolaServer::take(LolaDoor::Socket socket) {
-  if (session_ && session_->hasLeft()) {
-    session_->close();
-    left("the client left");
-  }
+  if (session_ && session_->hasLeft()) session_->hearRest();
   if (session_) return warn("a second client came and was closed: the first one is still there");
   session_ = std::make_shared<LolaSession>(*this, std::move(socket));
-  meeting_->peer.publish(std::make_shared<const LolaPeer>(++clients_, session_->descriptor()));
+  news_.peer = std::make_shared<LolaPeer>(session_->descriptor());
+  ++news_.clients;
+  news_.answers_before = news_.answers;
+  answered_ = 0;
   log("a client came");
   session_->start();
-  heard_();
+  tellNews();
 }
 
 void LolaServer::left(const std::string& how) {
   session_.reset();
-  meeting_->peer.publish(std::shared_ptr<const LolaPeer>());
+  news_.peer.reset();
   log(how);
+  tellNews();
+}
+
+void LolaServer::tellNews() {
+  meeting_->news.publish(news_);
   heard_();
 }
 
+// A second map for the same frame, or one before it was read, completes the first.
 void LolaServer::answered() {
-  meeting_->heard.publish(++frames_);
-  heard_();
+  const std::uint64_t newest = news_.peer->framesSent();
+  if (newest == answered_ || !news_.peer->hasReadAll()) return;
+  answered_ = newest;
+  ++news_.answers;
+  tellNews();
 }
 
 void LolaServer::drive(BodyCommand command) {

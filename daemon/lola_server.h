@@ -28,7 +28,7 @@ class LolaServer {
     std::shared_ptr<motion::RobotPorts> ports;
   };
 
-  /// `heard` is called after frames came, and when a client comes or goes.
+  /// `heard` is called after a frame was answered, and when a client comes or goes.
   /// @throws InputError when there can be no socket at `path`.
   LolaServer(boost::asio::io_context& io, const std::string& path, Robot robot,
              std::function<void()> heard);
@@ -40,12 +40,17 @@ class LolaServer {
   /// After the robot's cycles: tells of clients that are silent.
   void deliver();
 
+  /// The programs that came here have ended: hears what they have said until then, and nobody
+  /// from now on.
+  void finish();
+
   void close();
 
  private:
   friend class LolaSession;
 
   void take(LolaDoor::Socket socket);
+  void tellNews();
   void answered();
   void drive(BodyCommand command);
   void light(const std::vector<LedOrder>& orders);
@@ -58,8 +63,8 @@ class LolaServer {
   std::function<void()> heard_;
   std::shared_ptr<LolaMeeting> meeting_ = std::make_shared<LolaMeeting>();
   std::shared_ptr<LolaSession> session_;  // null: nobody is connected
-  std::uint64_t clients_ = 0;
-  std::uint64_t frames_ = 0;
+  LolaNews news_;                         // as told last
+  std::uint64_t answered_ = 0;            // how many frames had been sent then
   std::uint64_t commands_ = 0;
   std::map<std::string, float> lights_;  // that could not be posted yet
   std::size_t posted_lights_ = 0;        // since

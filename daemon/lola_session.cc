@@ -15,6 +15,7 @@ namespace nao::daemon {
 LolaSession::LolaSession(LolaServer& server, LolaDoor::Socket socket)
     : server_(&server), socket_(std::move(socket)), command_(server.robot_.model) {
   reader_.setMaxBytes(kLongestFrame);
+  socket_.non_blocking(true);
 }
 
 void LolaSession::close() {
@@ -36,14 +37,33 @@ void LolaSession::checkSilence(SimTime now) {
   server_->warn("the client has sent nothing for 500 ms: it does not drive the robot");
 }
 
-void LolaSession::read() {
-  socket_.async_read_some(
-      boost::asio::buffer(buffer_),
-      [self = shared_from_this()](const boost::system::error_code& error, std::size_t count) {
-        if (!self->server_) return;
-        if (error) return self->end("the client left");
-        self->got(count);
-      });
+// Bytes are in the kernel or taken, never on their way: hearRest() finds all of them.
+void LolaSession::listen() {
+  socket_.async_wait(LolaDoor::Socket::wait_read,
+                     [self = shared_from_this()](const boost::system::error_code& /*error*/) {
+                       if (self->server_) self->hearSome();
+                       if (self->server_) self->listen();
+                     });
+}
+
+// False: there is nothing, or it has ended.
+bool LolaSession::hearSome() {
+  boost::system::error_code error;
+  const std::size_t count = socket_.read_some(boost::asio::buffer(buffer_), error);
+  if (error == boost::asio::error::would_block) return false;
+  if (error) {
+    end("the client left");
+    return false;
+  }
+  got(count);
+  return server_ != nullptr;
+}
+
+void LolaSession::hearRest() {
+  constexpr int kMostReads = 1024;  // far more than a socket holds; who still sends has not ended
+  const auto self = shared_from_this();
+  for (int i = 0; i < kMostReads && server_ && hearSome(); ++i) {
+  }
 }
 
 void LolaSession::got(std::size_t count) {
@@ -53,9 +73,8 @@ void LolaSession::got(std::size_t count) {
   if (frames_ != before) server_->answered();  // once all that came together is taken
   if (reader_.isBroken()) {
     server_->warn("expected actuator frames of at most 64 KiB, found other bytes: closed");
-    return end("the client was closed");
+    end("the client was closed");
   }
-  read();
 }
 
 void LolaSession::take(const rpc::Value& frame) {

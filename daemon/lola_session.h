@@ -22,11 +22,14 @@ class LolaSession : public std::enable_shared_from_this<LolaSession> {
 
   LolaSession(LolaServer& server, LolaDoor::Socket socket);
 
-  void start() { read(); }
+  void start() { listen(); }
   void close();
 
   /// Whether the other side has closed, though that has not been read yet.
   bool hasLeft();
+
+  /// All that it has said up to now; the end of its connection, too, ends it here.
+  void hearRest();
 
   int descriptor() { return socket_.native_handle(); }
   bool hasSpoken() const { return frames_ > 0; }
@@ -35,7 +38,8 @@ class LolaSession : public std::enable_shared_from_this<LolaSession> {
   void checkSilence(SimTime now);
 
  private:
-  void read();
+  void listen();
+  bool hearSome();
   void got(std::size_t count);
   void take(const rpc::Value& frame);
   void tell(const std::string& what);

@@ -59,16 +59,17 @@ struct Options {
   std::optional<std::uint16_t> lola_camera_port;
   std::string lola_camera_memory;       // first part of the rings' names; empty: there are none
   std::optional<double> lola_lockstep;  // [s] of the wall that the world waits for an answer
-  bool lola_waits_for_next = false;     // then, when its client has gone, for another one
+  /// With lola_lockstep: when all LoLA clients have gone, time stands, and ends there.
+  bool lola_to_the_end = false;
   double speed = 1;     // simulated seconds per second; infinite: as fast as it goes
   double step = 0.002;  // [s] of the physics
   sim::Mode mode = sim::Mode::Implicit;
   bool wire_faults = false;  // the wires of qi and msgpack-RPC can be disturbed
-  bool paused = false;     // time stands at first, until UsarSim.resume or step
-  std::uint64_t seed = 0;  // 0: no variation, every run is the same
-  std::string record;      // the run is written into this file; empty: into none
-  std::string data_dir;    // clients' files are below it; empty: they have none
-  std::string naoqi;       // whose version services and wire are like; empty: the robot's own
+  bool paused = false;       // time stands at first, until UsarSim.resume or step
+  std::uint64_t seed = 0;    // 0: no variation, every run is the same
+  std::string record;        // the run is written into this file; empty: into none
+  std::string data_dir;      // clients' files are below it; empty: they have none
+  std::string naoqi;         // whose version services and wire are like; empty: the robot's own
   /// Who may see the cameras of LoLA, which ask for no token: this machine, and with `insecure`
   /// everybody.
   std::vector<std::string> lolaCameraHosts() const {

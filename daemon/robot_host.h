@@ -56,8 +56,9 @@ class RobotHost {
   /// The robot's wire, or null unless it can be disturbed.
   WireDelay* wire() { return wire_.get(); }
 
-  /// The robot's LoLA socket, or null.
+  /// The robot's LoLA socket; null: it has none.
   const LolaServer* lola() const { return lola_.get(); }
+  LolaServer* lola() { return lola_.get(); }
   /// The ports of its cameras for LoLA programs, top first; empty: there are none.
   std::vector<std::uint16_t> lolaCameraPorts() const {
     return lola_cameras_ ? lola_cameras_->ports() : std::vector<std::uint16_t>();

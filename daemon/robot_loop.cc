@@ -43,6 +43,11 @@ void RobotLoop::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
+void RobotLoop::finish(std::function<void()> ended) {
+  at_end_.publish(std::move(ended));
+  wake();
+}
+
 bool RobotLoop::post(LoopRequest request) {
   if (!requests_.post(std::move(request))) return false;
   wake();
@@ -62,7 +67,13 @@ void RobotLoop::run() {
   pace_.restart(pace_.speed(), simulation_.now(), std::chrono::steady_clock::now());
   while (!stopping_) {
     handleRequests();
-    if (mayAdvance()) {
+    const auto ended = at_end_.get();  // before time is found to stand
+    const bool stands = timeStands();
+    if (ended && stands) {
+      (*ended)();
+      break;
+    }
+    if (!stands && !awaitsPictures()) {
       advance();
     } else {  // a paused world still accepts what clients ask, so that nobody waits for that
       simulation_.acceptRequests();
@@ -75,13 +86,16 @@ void RobotLoop::run() {
   publish();
 }
 
-bool RobotLoop::mayAdvance() {
-  if (!simulation_.world().healthy() || (paused_ && steps_left_ == 0)) return false;
-  for (const auto& waits : waits_) {
-    if (waits(simulation_.now())) return false;
-  }
-  const bool exact = paused_ || turns_ || std::isinf(pace_.speed());  // else a late picture is dropped
-  return !(exact && hold_ && hold_());
+bool RobotLoop::timeStands() {
+  if (!simulation_.world().healthy() || (paused_ && steps_left_ == 0)) return true;
+  return std::any_of(waits_.begin(), waits_.end(),
+                     [this](const auto& waits) { return waits(simulation_.now()); });
+}
+
+bool RobotLoop::awaitsPictures() {
+  const bool exact =
+      paused_ || turns_ || std::isinf(pace_.speed());  // else a late picture is dropped
+  return exact && hold_ && hold_();
 }
 
 void RobotLoop::advance() {

@@ -61,6 +61,10 @@ class RobotLoop {
   void start();
   void stop();  // waits for the thread
 
+  /// From any thread: time goes on only until it has to wait for somebody, is paused or has
+  /// diverged; then calls `ended`, on the simulation thread, and nothing follows. Once.
+  void finish(std::function<void()> ended);
+
   /// From any thread. False when too many requests wait.
   [[nodiscard]] bool post(LoopRequest request);
 
@@ -106,7 +110,8 @@ class RobotLoop {
   void apply(std::uint64_t id, const runtime::WorldRequest& request);
   void finish(std::uint64_t id, std::string error = {});
   void endSteps(const char* reason = "the steps were cut short");
-  bool mayAdvance();
+  bool timeStands();
+  bool awaitsPictures();
   void advance();
   SimTime nextBeat() const;
   void advanceTo(SimTime time);
@@ -146,6 +151,7 @@ class RobotLoop {
   std::condition_variable changed_;
   bool awake_ = false;
   std::atomic<bool> stopping_{false};
+  Latest<std::function<void()>> at_end_;  // null: it is not to end yet
   std::thread thread_;
 };
 

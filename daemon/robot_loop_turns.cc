@@ -84,7 +84,7 @@ void RobotLoop::goOnTo(Duration time) {
 // One beat of the simulation, or of a paused one's clients alone.
 void RobotLoop::beatOfTurns() {
   waitForPictures();
-  if (!mayAdvance()) {
+  if (timeStands() || awaitsPictures()) {
     ahead_ += kPausedBeat;
   } else if (paused_) {
     advance();

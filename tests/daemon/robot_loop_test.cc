@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <future>
 #include <limits>
 #include <map>
 #include <memory>
@@ -67,6 +68,27 @@ TEST_F(RobotLoopTest, SaysWhatIsNotThere) {
   loop_.start();
   EXPECT_NE(errorOf(post(runtime::WorldRequest(runtime::PlaceRobot{7, {}}))), "");
   EXPECT_EQ(errorOf(post(runtime::WorldRequest(runtime::ResetWorld{}))), "");
+}
+
+TEST_F(RobotLoopTest, FinishesWhereTimeHasToWait) {
+  loop_.lockTo([](SimTime now) { return now >= SimTime(200ms); });
+  loop_.start();
+  std::promise<void> ended;
+  loop_.finish([&] { ended.set_value(); });
+  ended.get_future().wait();
+  loop_.stop();
+  EXPECT_EQ(loop_.state().get()->time, SimTime(200ms));
+  EXPECT_NE(loop_.state().get()->hash, 0u);
+}
+
+TEST_F(RobotLoopTest, FinishesAPausedWorldWhereItIs) {
+  loop_.beginPaused();
+  loop_.start();
+  std::promise<void> ended;
+  loop_.finish([&] { ended.set_value(); });
+  ended.get_future().wait();
+  loop_.stop();
+  EXPECT_EQ(loop_.state().get()->time, SimTime());
 }
 
 TEST_F(RobotLoopTest, TellsTheStateOnlyWhileTimeStands) {

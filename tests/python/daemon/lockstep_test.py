@@ -1,5 +1,6 @@
 """Programs in lockstep with their world: their time is its time, and every run is the same."""
 
+import contextlib
 import os
 import re
 import signal
@@ -36,20 +37,37 @@ def course(*words, options=()):
     return process.returncode, out, err
 
 
+def lolaCourse(program, *words):
+    """The same of a LoLA program, SOCKET among its words its robot's; of the daemon's lines the
+    last."""
+    with tempfile.TemporaryDirectory() as folder:
+        socket = os.path.join(folder, "robocup")
+        words = [socket if word == "SOCKET" else word for word in words]
+        code, out, err = course(program, *words, options=["--lola", socket])
+    return code, out, re.search("ended at .*", err).group(0)
+
+
+@contextlib.contextmanager
+def busyLoops():
+    """More than the machine can do at once."""
+    hogs = [subprocess.Popen([PYTHON, "-c", "while True: pass"]) for _ in range(2)]
+    try:
+        yield
+    finally:
+        for hog in hogs:
+            hog.kill()
+            hog.wait()
+
+
 @needsDaemon
 class LockstepTest(unittest.TestCase):
     def expectSame(self, *words, options=()):
         first = course(*words, options=options)
         self.assertEqual(first[0], 0, first)
         self.assertRegex(first[2], "state [0-9a-f]{16}, run [0-9a-f]{16}, repeatable")
-        hogs = [subprocess.Popen([PYTHON, "-c", "while True: pass"]) for _ in range(2)]
-        try:
+        with busyLoops():
             self.assertEqual(course(*words, options=options), first)
             self.assertEqual(course(*words, options=[*options, "--speed", "5"]), first)
-        finally:
-            for hog in hogs:
-                hog.kill()
-                hog.wait()
 
     @needsPlainPrograms
     def testEveryFunctionThatWaitsTakesSimulatedTime(self):
@@ -84,16 +102,23 @@ class LockstepTest(unittest.TestCase):
         self.expectSame("sh", "-c", "for i in 1 2 3; do sleep 0.$i & done; wait; date +%s.%N;"
                                     "x=$(sleep 1; date +%N); echo $x")
 
-    def testTheWorldGoesNoFurtherThanALolaProgram(self):
+    def testALolaProgramDecidesWhereItsWorldEnds(self):
         sine = os.path.join(os.path.dirname(BUILT), "lola_sine")
-        with tempfile.TemporaryDirectory() as folder:
-            socket = os.path.join(folder, "robocup")
-            code, out, err = course(sine, socket, "3", options=["--lola", socket])
-        self.assertEqual((code, out), (0, "the head went 0.50 rad to the sides\n"), err)
-        end = float(re.search(r"ended at ([\d.]+) s", err).group(1))
-        # The last of 250 frames is of 2.988 s; its answer lets one or two cycles of 12 ms pass,
-        # unless the world is told to end before it has heard it.
-        self.assertTrue(2.988 <= end <= 3.012, err)
+        code, out, end = lolaCourse(sine, "SOCKET", "3")
+        self.assertEqual((code, out), (0, "the head went 0.50 rad to the sides\n"))
+        self.assertIn("ended at 3.012 s", end)  # a cycle when it came, and one an answer: 250
+        with busyLoops():
+            self.assertEqual(lolaCourse(sine, "SOCKET", "3"), (code, out, end))
+
+    def testHowALolaProgramEndsDecidesNothing(self):
+        ends = set()
+        with busyLoops():
+            for how, expected in [("exit", 0), ("late", 0), ("kill", 128 + 9)] * 3:
+                code, _, end = lolaCourse(PYTHON, "lola_ends.py", "SOCKET", how)
+                self.assertEqual(code, expected, end)
+                ends.add(end)
+        self.assertEqual(len(ends), 1, ends)
+        self.assertIn("ended at 0.492 s", ends.pop())  # 40 answers
 
     def testTimeIsSimulatedWithoutLockstepToo(self):
         text = "import time; t = time.time(); time.sleep(20); print(time.time() - t)"
