@@ -2,19 +2,18 @@
 // beside those of an echo socket on the same I/O thread with the same sizes, calls a second when
 // they are pipelined, events to many, and one picture fetched again and again. wire_bench
 // [delays|rates|events|polls]: one JSON object of figures.
-#include <sys/epoll.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <cstring>
-#include <fstream>
 #include <map>
-#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "bench/event_storm.h"
+#include "bench/server_watch.h"
 #include "bench/wire_client.h"
 #include "bench/wire_server.h"
 #include "naoqi_api/wire/bytes.h"
@@ -24,14 +23,9 @@ namespace nao::bench {
 namespace {
 
 using rpc::Value;
-using Clock = std::chrono::steady_clock;
 
 constexpr int kBatches = 10;
 constexpr int kCallsPerBatch = 1000;
-
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
@@ -139,154 +133,6 @@ double pipelined(const WireServer& server, const wire::Address& address, const V
   }
   return static_cast<double>(answered) / secondsSince(start);
 }
-
-// Processor time that a process has used [s].
-double processorTime(pid_t process) {
-  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
-  std::string text;
-  std::getline(file, text);
-  text = text.substr(text.rfind(')') + 2);
-  unsigned long user = 0;
-  unsigned long system = 0;
-  std::sscanf(text.c_str(), "%*c %*d %*d %*d %*d %*d %*u %*u %*u %*u %*u %lu %lu", &user, &system);
-  return static_cast<double>(user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
-}
-
-/// What the daemon does from its making on: its processor time, and how late its cycles are.
-class Watch {
- public:
-  explicit Watch(const WireServer& server)
-      : server_(server),
-        start_(Clock::now()),
-        processor_s_(processorTime(server.process)),
-        cycles_(server.lateness->count.load(std::memory_order_acquire)) {}
-
-  double cpuPercent() const {
-    return 100 * (processorTime(server_.process) - processor_s_) / secondsSince(start_);
-  }
-  double latenessP99Ms() const {
-    std::vector<double> late;
-    const std::size_t end = server_.lateness->count.load(std::memory_order_acquire);
-    for (std::size_t k = cycles_; k < end; ++k) {
-      late.push_back(double{server_.lateness->late_ms[k % Lateness::kMost]});
-    }
-    std::sort(late.begin(), late.end());
-    return late.empty() ? 0 : late[late.size() * 99 / 100];
-  }
-
- private:
-  const WireServer& server_;
-  Clock::time_point start_;
-  double processor_s_;
-  std::size_t cycles_;
-};
-
-/// 200 clients that all listen to 20 events, which one client raises 50 times a second.
-class EventStorm {
- public:
-  static constexpr int kListeners = 200;
-  static constexpr int kEvents = 20;
-  static constexpr int kCycles = 500;  // 10 s
-
-  explicit EventStorm(const WireServer& server) : server_(server), publisher_(server.port) {
-    memory_ = publisher_.service("ALMemory");
-    raise_ = publisher_.method(memory_, "raiseEvent", "(sm)");
-    const auto subscriber = publisher_.method(memory_, "subscriber", "(s)");
-    for (int k = 0; k < kListeners; ++k) {
-      listeners_.push_back(std::make_unique<WireClient>(server.port));
-      for (int event = 0; event < kEvents; ++event) listen(*listeners_.back(), subscriber, event);
-      epoll_event wanted{};
-      wanted.events = EPOLLIN;
-      wanted.data.u32 = static_cast<std::uint32_t>(k);
-      if (::epoll_ctl(all_, EPOLL_CTL_ADD, listeners_.back()->descriptor(), &wanted) != 0)
-        std::abort();
-    }
-  }
-
-  EventStorm(const EventStorm&) = delete;
-  EventStorm& operator=(const EventStorm&) = delete;
-  ~EventStorm() { ::close(all_); }
-
-  void run(std::map<std::string, double>& figures) {
-    const Watch unloaded(server_);
-    pass(false);
-    figures["unloaded_server_cpu_percent"] = unloaded.cpuPercent();
-    figures["unloaded_lateness_p99_ms"] = unloaded.latenessP99Ms();
-    const Watch loaded(server_);
-    pass(true);
-    figures["events_server_cpu_percent"] = loaded.cpuPercent();
-    figures["events_lateness_p99_ms"] = loaded.latenessP99Ms();
-    const auto end = Clock::now() + std::chrono::seconds(2);
-    while (Clock::now() < end) collect(end);
-    constexpr double kAll = double{kListeners} * kEvents * kCycles;
-    figures["events_sent"] = kAll;
-    figures["events_lost"] = kAll - static_cast<double>(got_);
-    figures["events_pieces_per_cycle_and_listener"] =
-        static_cast<double>(pieces_) / (double{kListeners} * kCycles);
-  }
-
- private:
-  // As long with events as without.
-  void pass(bool raising) {
-    const auto start = Clock::now();
-    for (int cycle = 0; cycle < kCycles; ++cycle) {
-      if (raising) raiseAll(cycle);
-      const auto next = start + std::chrono::milliseconds(20) * (cycle + 1);
-      while (Clock::now() < next) collect(next);
-    }
-  }
-
-  static std::string nameOf(int event) { return "Storm/" + std::to_string(event); }
-
-  void listen(WireClient& client, std::uint32_t subscriber, int event) const {
-    const wire::Bytes object = client.call({memory_, 1, subscriber}, Value::tuple({nameOf(event)}));
-    wire::Decoder decoder(object);
-    const Value offer = decoder.read("({I(Issss[(ss)]s)}{I(Iss)}{I(Iss)}s)");
-    const auto service = decoder.number<std::uint32_t>();
-    const auto number = decoder.number<std::uint32_t>();
-    const auto& signals = offer.findItems()->at(1).find<Value::Map>()->entries;
-    const auto signal = *signals.back().first.find<std::uint32_t>();
-    client.call({service, number, 0}, Value::tuple({service, signal, std::uint64_t{1}}));
-  }
-
-  void raiseAll(int cycle) {
-    wire::Bytes posts;
-    for (int event = 0; event < kEvents; ++event) {
-      wire::Message message;
-      message.id = 1;
-      message.type = wire::MessageType::Post;
-      message.address = {memory_, 1, raise_};
-      const Value arguments = Value::tuple("(sm)", {nameOf(event), cycle});
-      wire::encode(message.payload, arguments, rpc::Signature::of("(sm)"));
-      const wire::Bytes frame = encodeFrame(message);
-      posts.insert(posts.end(), frame.begin(), frame.end());
-    }
-    publisher_.send(posts);
-  }
-
-  // What has come to any of them; waits for it, at most until then.
-  void collect(Clock::time_point until) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now());
-    epoll_event ready[kListeners];
-    const int count =
-        ::epoll_wait(all_, ready, kListeners, static_cast<int>(std::max<long>(0, left.count())));
-    for (int k = 0; k < count; ++k) {
-      WireClient& listener = *listeners_[ready[k].data.u32];
-      listener.receiveSome();
-      got_ += listener.countMessages();
-      ++pieces_;
-    }
-  }
-
-  const WireServer& server_;
-  WireClient publisher_;
-  std::vector<std::unique_ptr<WireClient>> listeners_;
-  int all_ = ::epoll_create1(0);
-  std::uint32_t memory_ = 0;
-  std::uint32_t raise_ = 0;
-  std::size_t got_ = 0;
-  std::size_t pieces_ = 0;
-};
 
 /// A client that fetches the picture of its window as fast as it can, thousands of times a second,
 /// while a new one comes five times a second.
