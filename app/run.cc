@@ -15,7 +15,6 @@
 #include <string>
 #include <vector>
 
-#include "app/child_process.h"
 #include "app/commands.h"
 #include "app/program_file.h"
 #include "app/scenario_run.h"
@@ -23,6 +22,7 @@
 #include "app/source_paths.h"
 #include "clock/futex.h"
 #include "core/check.h"
+#include "daemon/child_process.h"
 #include "daemon/daemon.h"
 #include "daemon/descriptor_limit.h"
 #include "daemon/large_blocks.h"
@@ -94,19 +94,21 @@ class TemporaryFolder {
 class Run {
  public:
   explicit Run(Arguments& arguments)
-      : arguments_(arguments), signals_(blockWatchedSignals()), words_(commandOf(arguments)) {
+      : arguments_(arguments),
+        signals_(daemon::blockWatchedSignals()),
+        words_(commandOf(arguments)) {
     chooseClock();
   }
 
   int run() {
     world_.emplace([this] { return beWorld(); }, signals_);
-    if (!awaitWorld()) return world_->exitCode();
+    if (!awaitWorld()) return *world_->findEnd();
     setEnvironment();
-    program_.emplace(words_, signals_);
+    program_.emplace(daemon::ChildProcess::Program{words_, ".", {}}, signals_);
     const bool worlds_fault = !watch();
     endWorld();
     if (worlds_fault) std::fprintf(stderr, "usarnaoqi: the world ended before the program did\n");
-    return worlds_fault ? 1 : program_->exitCode();
+    return worlds_fault ? 1 : *program_->findEnd();
   }
 
  private:
@@ -194,7 +196,7 @@ class Run {
   // program by itself; other signals are handed on. What it makes of Ctrl-C is its affair; if it is
   // told to end and does not in time, it is ended.
   bool watch() {
-    const sigset_t watched = watchedSignals();
+    const sigset_t watched = daemon::watchedSignals();
     bool asked = false;
     bool alone = false;
     while (!program_->hasEnded()) {
@@ -215,7 +217,7 @@ class Run {
   }
 
   void endWorld() {
-    const sigset_t watched = watchedSignals();
+    const sigset_t watched = daemon::watchedSignals();
     clock_->stop();  // whoever of the program's processes goes on does so by itself
     world_->signal(SIGTERM);
     while (!world_->hasEnded()) {
@@ -229,8 +231,8 @@ class Run {
   std::vector<std::string> words_;
   bool has_clock_ = true;
   std::optional<SharedClock> clock_;
-  std::optional<ChildProcess> world_;
-  std::optional<ChildProcess> program_;
+  std::optional<daemon::ChildProcess> world_;
+  std::optional<daemon::ChildProcess> program_;
 };
 
 void playScenario(Arguments& arguments) {

@@ -4,16 +4,17 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <thread>
 
-#include "ci/client_process.h"
 #include "ci/director.h"
 #include "clock/clock_page.h"
 #include "core/check.h"
+#include "daemon/child_process.h"
 
 namespace nao::ci {
 namespace {
@@ -25,14 +26,20 @@ std::string inFront(const char* name, const std::string& folder) {
   return folder + (before && *before ? ":" + std::string(before) : "");
 }
 
-ClientProcess::Start startOf(const ClientSetup& client, const Scenario& scenario,
-                             const ExecutorSettings& settings, std::uint16_t port) {
+daemon::ChildProcess::Program startOf(const ClientSetup& client, const Scenario& scenario,
+                                      const ExecutorSettings& settings, std::uint16_t port) {
   const auto folder = std::filesystem::path(scenario.file).parent_path();
-  ClientProcess::Start start{client.command, folder.empty() ? "." : folder.string(),
-                             settings.clock_environment};
+  daemon::ChildProcess::Program start{client.command, folder.empty() ? "." : folder.string(),
+                                      settings.clock_environment};
   start.environment["NAOQI_ADDRESS"] = "127.0.0.1:" + std::to_string(port);
   start.environment["PYTHONPATH"] = inFront("PYTHONPATH", absolute(settings.python_path));
   return start;
+}
+
+sigset_t noSignals() {
+  sigset_t none;
+  ::sigemptyset(&none);
+  return none;
 }
 
 bool hasSlot(const clock::ClockPage& page, pid_t process) {
@@ -61,8 +68,8 @@ class Clients {
   void start(daemon::Daemon& daemon) {
     if (settings_.clock) openPage(*settings_.clock, daemon);
     for (const ClientSetup& client : scenario_.clients) {
-      processes_.push_back(std::make_unique<ClientProcess>(
-          startOf(client, scenario_, settings_, daemon.port(client.robot))));
+      processes_.push_back(std::make_unique<daemon::ChildProcess>(
+          startOf(client, scenario_, settings_, daemon.port(client.robot)), noSignals()));
       if (inLockstep()) await(*processes_.back());
     }
     told_.resize(processes_.size());
@@ -87,7 +94,7 @@ class Clients {
   // process of several threads is its parent's to wait for only once all of them are gone.
   std::optional<int> findEnd(std::size_t i) {
     constexpr auto kLongest = std::chrono::seconds(2);  // of the wall
-    const ClientProcess& process = *processes_[i];
+    const daemon::ChildProcess& process = *processes_[i];
     auto code = process.findEnd();
     if (code || !inLockstep() || stays_[i] || takesTurns(*settings_.clock, process.id())) {
       return code;
@@ -128,7 +135,7 @@ class Clients {
   }
 
   // Until it takes part in the turns, or has ended without that.
-  void await(const ClientProcess& process) const {
+  void await(const daemon::ChildProcess& process) const {
     constexpr auto kLongest = std::chrono::seconds(10);  // of the wall; a program starts in 0.1 s
     const auto until = std::chrono::steady_clock::now() + kLongest;
     while (!hasSlot(*settings_.clock, process.id()) && !process.findEnd()) {
@@ -141,7 +148,7 @@ class Clients {
 
   const Scenario& scenario_;
   const ExecutorSettings& settings_;
-  std::vector<std::unique_ptr<ClientProcess>> processes_;
+  std::vector<std::unique_ptr<daemon::ChildProcess>> processes_;
   std::vector<bool> told_;   // that it ended
   std::vector<bool> stays_;  // it did not end when it left the turns
 };

@@ -1,25 +1,21 @@
 #include "ci/process_pool.h"
 
 #include <fcntl.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <ctime>
 #include <map>
 
-#include "core/check.h"
+#include "daemon/child_process.h"
 
 namespace nao::ci {
 namespace {
 
 using Wall = std::chrono::steady_clock;
 
-constexpr int kNotFound = 127;  // as a shell says it
-constexpr int kBySignal = 128;
 constexpr timespec kLook{0, 200'000'000};  // between two looks at who takes too long
 
 struct Running {
@@ -35,32 +31,21 @@ sigset_t justChildren() {
   return children;
 }
 
-[[noreturn]] void become(const std::vector<char*>& words, const char* output, pid_t parent,
-                         const sigset_t& mask) {
-  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-  if (::getppid() != parent) ::_exit(kNotFound);
-  ::pthread_sigmask(SIG_SETMASK, &mask, nullptr);
-  const int file = ::open(output, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+// Reads nothing and writes into the file.
+bool speakInto(const std::string& output) {
+  const int file = ::open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
-  if (file < 0 || nothing < 0) ::_exit(kNotFound);
+  if (file < 0 || nothing < 0) return false;
   ::dup2(nothing, STDIN_FILENO);
   ::dup2(file, STDOUT_FILENO);
   ::dup2(file, STDERR_FILENO);
-  ::execvp(words[0], words.data());
-  std::perror(words[0]);
-  ::_exit(kNotFound);
+  return true;
 }
 
 pid_t start(const PoolJob& job, const sigset_t& mask) {
-  std::vector<std::string> copies = job.command;
-  std::vector<char*> words;
-  for (std::string& word : copies) words.push_back(word.data());
-  words.push_back(nullptr);
-  const pid_t parent = ::getpid();
-  const pid_t process = ::fork();
-  NAO_CHECK(process >= 0);
-  if (process == 0) become(words, job.output.c_str(), parent, mask);
-  return process;
+  const daemon::Words words(job.command);
+  const auto work = [&] { return speakInto(job.output) ? words.become() : daemon::kNotFound; };
+  return daemon::startChild(work, mask, SIGTERM);
 }
 
 void endSlow(std::map<pid_t, Running>& running, double longest) {
@@ -94,7 +79,7 @@ void runPool(const std::vector<PoolJob>& jobs, std::size_t at_a_time, double lon
       const Running done = found->second;
       running.erase(found);
       PoolEnd end;
-      end.code = WIFSIGNALED(status) ? kBySignal + WTERMSIG(status) : WEXITSTATUS(status);
+      end.code = daemon::exitCodeOf(status);
       end.slow = done.slow;
       end.wall = std::chrono::duration<double>(Wall::now() - done.start).count();
       ended(done.job, end);
