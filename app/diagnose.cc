@@ -8,11 +8,14 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "app/mpi_team.h"
 #include "app/source_paths.h"
+#include "app/stand_by.h"
 #include "core/config.h"
 #include "validation/diagnosis/diagnose_folds.h"
 #include "validation/diagnosis/diagnosis_json.h"
 #include "validation/diagnosis/diagnosis_page.h"
+#include "validation/diagnosis/packed.h"
 #include "validation/diagnosis/prepared_set.h"
 #include "validation/diagnosis/whole_diagnosis.h"
 #include "validation/log/data_faults.h"
@@ -21,6 +24,8 @@
 
 namespace nao::app {
 namespace {
+
+constexpr char kKept[] = "/unfinished";  // in --out
 
 struct Arguments {
   std::string set, model, out, budget, joint;
@@ -86,8 +91,8 @@ void prepareFolder(const std::string& folder) {
 
 // A walk answers its sensors: repeats of it need not have the same commands, and each run is
 // replayed with its own.
-void stopAtFaults(const validation::LogSet& set, const RobotModel& model,
-                  const std::string& level) {
+void stopAtFaults(const validation::LogSet& set, const RobotModel& model, const std::string& level,
+                  const validation::Team& team) {
   auto faults = validation::findDataFaults(set, &model);
   if (level != "joint") {
     const auto allowed = [](const auto& fault) {
@@ -96,6 +101,7 @@ void stopAtFaults(const validation::LogSet& set, const RobotModel& model,
     faults.erase(std::remove_if(faults.begin(), faults.end(), allowed), faults.end());
   }
   if (!validation::anyFault(faults)) return;
+  if (team.rank() > 0) throw CLI::RuntimeError(0);
   std::printf("verdict: data_fault\n%s", toText(validation::reportDataFaults(set, faults)).c_str());
   throw CLI::RuntimeError(exitCodeOf(validation::Verdict::DataFault));
 }
@@ -116,16 +122,49 @@ validation::Provenance provenanceOf(const Arguments& arguments, const validation
           model,
           commandOf(arguments),
           arguments.level,
-          validation::sha256OfFolder(arguments.set),
+          validation::sha256OfFolder(arguments.set, arguments.out),
           validation::sha256OfFolder(findSourceFile(arguments.robots_dir) + "/" + model)};
 }
 
-void report(const Arguments& arguments, const std::string& json, const std::string& page,
-            const std::string& text, validation::Verdict verdict) {
-  if (!arguments.out.empty()) {
-    write(arguments.out + "/report.json", json + "\n");
-    write(arguments.out + "/report.html", page);
+// All that decides what the parts of a diagnosis come to. A program is known by its size and time.
+std::string keyOf(const Arguments& arguments, const validation::Provenance& provenance) {
+  const std::string program = "/proc/self/exe";
+  const auto built = std::filesystem::last_write_time(program).time_since_epoch().count();
+  return "program " + std::to_string(std::filesystem::file_size(program)) + " " +
+         std::to_string(built) + "\nset " + provenance.set_sha256 + "\nmodel " + provenance.model +
+         "\nrobots " +
+         validation::sha256OfFolder(findSourceFile(arguments.robots_dir), arguments.out) +
+         "\nlevel " + arguments.level + "\njoint " + arguments.joint + "\nbudget " +
+         arguments.budget + "\n";
+}
+
+// The first process decides whether what is there is of this diagnosis.
+validation::KeptWork takeUp(const Arguments& arguments, const validation::Provenance& provenance,
+                            const validation::Team& team, StandBy& stand_by) {
+  if (arguments.out.empty()) return {};
+  const std::string folder = arguments.out + kKept;
+  const std::string key =
+      validation::askFirst(team, "key", [&] { return keyOf(arguments, provenance); });
+  validation::KeptWork kept;
+  if (team.rank() == 0) kept = validation::KeptWork(folder, key);
+  team.exchange("");
+  if (team.rank() > 0) kept = validation::KeptWork(folder, key);
+  if (kept.found() == validation::KeptWork::Found::Same) {
+    stand_by.say("going on with what is finished in " + folder);
+  } else if (kept.found() == validation::KeptWork::Found::Other) {
+    stand_by.say(folder + " is of another set, model or program or of other options: begun anew");
   }
+  return kept;
+}
+
+void writeReport(const Arguments& arguments, const std::string& json, const std::string& page) {
+  if (arguments.out.empty()) return;
+  write(arguments.out + "/report.json", json + "\n");
+  write(arguments.out + "/report.html", page);
+}
+
+void report(const Arguments& arguments, const std::string& json, const std::string& text,
+            validation::Verdict verdict) {
   std::printf("%s", (arguments.json ? json + "\n" : text).c_str());
   const int code = exitCodeOf(verdict);
   if (code != 0) throw CLI::RuntimeError(code);
@@ -144,8 +183,9 @@ void runWhole(const Arguments& arguments, const validation::LogSet& set,
   options.progress = [](const std::string& what) { std::fprintf(stderr, "%s\n", what.c_str()); };
   const auto found = validation::diagnoseWhole(set, model, options);
   const validation::Provenance provenance = provenanceOf(arguments, set, name);
-  const std::string page = arguments.out.empty() ? "" : wholePage(found, provenance);
-  report(arguments, toJson(found, provenance), page, toText(found), found.set.verdict);
+  const std::string json = toJson(found, provenance);
+  writeReport(arguments, json, arguments.out.empty() ? "" : wholePage(found, provenance));
+  report(arguments, json, toText(found), found.set.verdict);
 }
 
 // Without repeats nothing tells the noise: what is held out must decide.
@@ -158,34 +198,75 @@ validation::FoldedSet diagnoseTasks(const std::vector<validation::JointTask>& ta
   validation::FoldSearchOptions by_folds;
   by_folds.jobs = options.jobs;
   for (const auto& motion : set.set->motions()) by_folds.gains.push_back(motion.kp_scale);
-  by_folds.progress = [](const std::string& what) { std::fprintf(stderr, "%s\n", what.c_str()); };
-  return validation::diagnoseByFolds(tasks, validation::benchCauses(), by_folds);
+  if (options.team->rank() == 0) {
+    by_folds.progress = [](const std::string& what) { std::fprintf(stderr, "%s\n", what.c_str()); };
+  }
+  return validation::diagnoseByFolds(tasks, validation::benchCauses(), by_folds, *options.team,
+                                     options.kept);
 }
 
-void run(const Arguments& arguments) {
+// Joint level: each joint alone.
+void runJoints(const Arguments& arguments, const validation::LogSet& set,
+               const std::shared_ptr<const RobotModel>& model, const std::string& name,
+               const std::shared_ptr<const validation::Team>& team, StandBy& stand_by) {
+  const validation::Provenance provenance = provenanceOf(arguments, set, name);
+  validation::DiagnosisOptions options;
+  options.jobs = arguments.jobs;
+  options.team = team;
+  options.kept = takeUp(arguments, provenance, *team, stand_by);
+  options.progress = [&](const std::string& what, double part) { stand_by.tell(what, part); };
+  const validation::PreparedSet prepared = validation::prepareSet(set, model, options);
+  if (prepared.joints.empty())
+    throw InputError(arguments.set + ": no joint was measured in all runs");
+  if (!arguments.budget.empty()) {
+    const double seconds = secondsOf(arguments.budget);
+    options.runs_per_joint = validation::unpack<long>(validation::askFirst(*team, "budget", [&] {
+      return options.kept.remember("budget", [&] {
+        return validation::pack(
+            runsWithin(seconds, prepared, arguments.jobs * static_cast<int>(team->size())));
+      });
+    }));
+  }
+  const auto tasks = tasksOf(prepared, arguments.joint);
+  const auto [found, notes] = diagnoseTasks(tasks, prepared, options);
+  const std::string json = toJson(found, provenance);
+  if (!arguments.out.empty()) {
+    const auto examined = validation::examineJoints(found, tasks, options);
+    if (team->rank() == 0) writeReport(arguments, json, diagnosisPage(found, examined, provenance));
+  }
+  team->exchange("");  // nobody goes, or throws away what is kept, before the report is written
+  options.kept.discard();
+  if (team->rank() == 0) report(arguments, json, toText(found) + notes, found.verdict);
+}
+
+void diagnose(const Arguments& arguments, const std::shared_ptr<const validation::Team>& team,
+              StandBy& stand_by) {
   const validation::LogSet set = validation::readLogSet(arguments.set);
   const std::string name = arguments.model.empty() ? set.robot : arguments.model;
   const auto model = loadRobotModel(findSourceFile(arguments.robots_dir), name);
-  stopAtFaults(set, *model, arguments.level);
-  if (!arguments.out.empty()) prepareFolder(arguments.out);
-  if (arguments.level != "joint") return runWhole(arguments, set, model, name);
-  const validation::PreparedSet prepared = validation::prepareSet(set, model, arguments.jobs);
-  if (prepared.joints.empty())
-    throw InputError(arguments.set + ": no joint was measured in all runs");
-
-  validation::DiagnosisOptions options;
-  options.jobs = arguments.jobs;
-  if (!arguments.budget.empty()) {
-    options.runs_per_joint = runsWithin(secondsOf(arguments.budget), prepared, arguments.jobs);
+  stopAtFaults(set, *model, arguments.level, *team);
+  if (team->rank() == 0 && !arguments.out.empty()) prepareFolder(arguments.out);
+  if (arguments.level == "joint") {
+    runJoints(arguments, set, model, name, team, stand_by);
+  } else if (team->rank() == 0) {  // the others have nothing to do
+    runWhole(arguments, set, model, name);
   }
-  options.progress = [](const std::string& what, double part) {
-    std::fprintf(stderr, "%3.0f %% %s\n", 100 * part, what.c_str());
-  };
-  const auto tasks = tasksOf(prepared, arguments.joint);
-  const auto [found, notes] = diagnoseTasks(tasks, prepared, options);
-  const validation::Provenance provenance = provenanceOf(arguments, set, name);
-  const std::string page = arguments.out.empty() ? "" : diagnosisPage(found, tasks, provenance);
-  report(arguments, toJson(found, provenance), page, toText(found) + notes, found.verdict);
+}
+
+void run(const Arguments& arguments) {
+  StandBy stand_by(arguments.out.empty() || arguments.level != "joint"
+                       ? "interrupted; nothing was kept"
+                       : "interrupted; the same command goes on with what is finished in " +
+                             arguments.out + kKept);
+  const std::shared_ptr<const validation::Team> team = joinTeam();
+  if (team->rank() > 0) stand_by.hush();
+  try {
+    diagnose(arguments, team, stand_by);
+  } catch (const InputError& error) {
+    if (team->size() == 1) throw;
+    std::fprintf(stderr, "usarnaoqi: %s\n", error.what());
+    team->abandon(2);  // the others would wait for this one
+  }
 }
 
 }  // namespace
@@ -211,10 +292,15 @@ void addDiagnose(CLI::App& app) {
           "robot that stands, kicks or walks.")
       ->check(CLI::IsMember({"joint", "limb", "robot"}))
       ->capture_default_str();
-  command->add_option("--jobs", arguments->jobs, "Threads; the result is the same for any number.")
+  command
+      ->add_option("--jobs", arguments->jobs,
+                   "Threads; the result is the same for any number, and for any number of "
+                   "processes\nthat mpirun starts.")
       ->check(CLI::PositiveNumber);
   command->add_option("--budget", arguments->budget, "Time to stop after, such as 5min.");
-  command->add_option("--out", arguments->out, "Folder for report.json and report.html.");
+  command->add_option("--out", arguments->out,
+                      "Folder for report.json and report.html. What is finished is kept there: "
+                      "after an\ninterruption the same command goes on.");
   command->add_option("--robots-dir", arguments->robots_dir, "Where the robots' folders are.")
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "The report instead of text.");

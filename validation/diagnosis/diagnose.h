@@ -1,10 +1,13 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "validation/diagnosis/joint_search.h"
+#include "validation/diagnosis/kept_work.h"
+#include "validation/diagnosis/team.h"
 
 namespace nao::validation {
 
@@ -18,8 +21,12 @@ struct DiagnosisOptions {
   Effort effort;
   int jobs = 1;                      // threads; the result is the same for any number
   long runs_per_joint = 1000000000;  // granted
-  /// Called by this thread now and then: what is being done, and which part of it is done.
+  /// Called often and by any thread: what is being done, and which part of all is done, 0 to 1.
   std::function<void(const std::string&, double)> progress;
+  /// The other processes that work on it; all are given the same tasks.
+  std::shared_ptr<const Team> team = std::make_shared<Team>();
+  /// What was finished before and is finished now; names of units begin with a joint's.
+  KeptWork kept;
 };
 
 /// One number that several joints share.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "validation/diagnosis/packed.h"
 #include "validation/report.h"
 
 namespace nao::validation {
@@ -29,11 +30,18 @@ bool isWithoutRepeats(const JointSimulator& joint) {
 }
 
 FoldedSet diagnoseByFolds(const std::vector<JointTask>& tasks, const std::vector<Cause>& causes,
-                          const FoldSearchOptions& options) {
+                          const FoldSearchOptions& options, const Team& team,
+                          const KeptWork& kept) {
+  const auto answers = askAll(team, "folds", tasks.size(), 1, [&](std::size_t j) {
+    const JointSimulator& joint = *tasks[j].joint;
+    return kept.remember(joint.joint() + ".folds", [&] {
+      // Long steps err by far less than what folds disagree by.
+      return pack(searchByFolds(joint.coarse(), causes, options));
+    });
+  });
   FoldedSet result;
-  for (const JointTask& task : tasks) {
-    // Long steps err by far less than what folds disagree by.
-    FoldDiagnosis found = searchByFolds(task.joint->coarse(), causes, options);
+  for (const std::string& answer : answers) {
+    FoldDiagnosis found = unpack<FoldDiagnosis>(answer);
     for (const std::string& note : notesOf(found)) {
       result.notes += found.verdict.joint + ": " + note + "\n";
     }

@@ -16,6 +16,7 @@ struct FoldedSet {
 
 /// Diagnoses every joint of a set without repeats by folds.
 FoldedSet diagnoseByFolds(const std::vector<JointTask>& tasks, const std::vector<Cause>& causes,
-                          const FoldSearchOptions& options);
+                          const FoldSearchOptions& options, const Team& team = {},
+                          const KeptWork& kept = {});
 
 }  // namespace nao::validation

@@ -5,21 +5,14 @@
 #include <sstream>
 
 #include "core/check.h"
-#include "validation/diagnosis/diagnosis_plots.h"
 #include "validation/html.h"
 
 namespace nao::validation {
 namespace {
 
-constexpr int kRuns = 16;  // simulated per mean that is shown; free choice
-const std::vector<Split> kSeen{Split::Fit, Split::Select};
-
 /// A joint with its errors before and after.
-struct Examined {
+struct Examined : ExaminedJoint {
   const JointVerdict* verdict;
-  const JointTask* task;
-  std::vector<EffectSetting> found;
-  JointReplay before, after;
 };
 
 std::string milli(double rad) { return fixed(1e3 * rad, 2); }
@@ -109,7 +102,7 @@ std::string chapterOf(const Examined& joint) {
   const JointVerdict& verdict = *joint.verdict;
   std::string out = "<h1>" + escapeHtml(verdict.joint) + "</h1>\n";
   if (!verdict.findings.empty()) out += toHtml(findingsOf(verdict));
-  out += drawSvg(drawCourse(worstCourse(*joint.task, joint.found, kRuns)));
+  out += drawSvg(drawCourse(joint.course));
   if (!verdict.findings.empty() || !verdict.rejected.empty()) {
     out += drawSvg(drawRanking(verdict));
   }
@@ -130,19 +123,12 @@ std::string originOf(const SetDiagnosis& diagnosis, const Provenance& provenance
 
 }  // namespace
 
-std::string diagnosisPage(const SetDiagnosis& diagnosis, const std::vector<JointTask>& tasks,
+std::string diagnosisPage(const SetDiagnosis& diagnosis, const std::vector<ExaminedJoint>& examined,
                           const Provenance& provenance) {
-  NAO_CHECK(tasks.size() == diagnosis.joints.size());
+  NAO_CHECK(examined.size() == diagnosis.joints.size());
   std::vector<Examined> joints;
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
-    Examined one{&diagnosis.joints[i],
-                 &tasks[i],
-                 foundEffects(diagnosis, diagnosis.joints[i], tasks[i].joint->place()),
-                 {},
-                 {}};
-    one.before = replayJoint(*tasks[i].joint, {}, tasks[i].noise, kRuns, kSeen);
-    one.after = replayJoint(*tasks[i].joint, one.found, tasks[i].noise, kRuns, kSeen);
-    joints.push_back(std::move(one));
+  for (std::size_t i = 0; i < examined.size(); ++i) {
+    joints.push_back({examined[i], &diagnosis.joints[i]});
   }
   std::stable_sort(joints.begin(), joints.end(), [](const Examined& a, const Examined& b) {
     return a.before.rmse > b.before.rmse;

@@ -5,15 +5,17 @@
 
 #include "validation/diagnosis/diagnose.h"
 #include "validation/diagnosis/diagnosis_json.h"
+#include "validation/diagnosis/examined_joint.h"
 
 namespace nao::validation {
 
 /// A diagnosis as one HTML page that needs no other file: the verdict in words first; what is
 /// wrong, joint by joint, beside what noise explains; for every joint with a finding or a remainder
 /// its measured and simulated course, the causes in order of what they explain, and why others were
-/// not taken; last where it all comes from. Test runs are not looked at. `tasks` are those that
-/// were diagnosed. @throws InputError without gnuplot.
-std::string diagnosisPage(const SetDiagnosis& diagnosis, const std::vector<JointTask>& tasks,
+/// not taken; last where it all comes from. `examined` is of all joints, as examineJoints() makes
+/// it.
+/// @throws InputError without gnuplot.
+std::string diagnosisPage(const SetDiagnosis& diagnosis, const std::vector<ExaminedJoint>& examined,
                           const Provenance& provenance);
 
 }  // namespace nao::validation

@@ -6,6 +6,7 @@
 
 #include "core/check.h"
 #include "core/random.h"
+#include "validation/diagnosis/ensemble_tape.h"
 #include "validation/diagnosis/joint_data.h"
 
 namespace nao::validation {
@@ -52,6 +53,12 @@ std::vector<EffectSetting> Ensemble::withGiven(const std::vector<EffectSetting>&
   return all;
 }
 
+Eigen::VectorXd Ensemble::recalled(const std::function<Eigen::VectorXd()>& simulate) {
+  Eigen::VectorXd result = tape_ ? tape_->next(used_, simulate) : simulate();
+  if (watch_) watch_(used_);
+  return result;
+}
+
 Halves Ensemble::halves(const std::vector<EffectSetting>& causes, int runs) {
   return halvesOf(joint_.coarse(), causes, runs);
 }
@@ -63,18 +70,21 @@ Halves Ensemble::roughHalves(const std::vector<EffectSetting>& causes, int runs)
 Halves Ensemble::halvesOf(const JointSimulator& joint, const std::vector<EffectSetting>& causes,
                           int runs) {
   NAO_CHECK(runs % 2 == 0 && runs > 0);
-  return {meanOf(joint, causes, 0, runs, 2), meanOf(joint, causes, 1, runs, 2)};
+  return {recalled([&] { return meanOf(joint, causes, 0, runs, 2); }),
+          recalled([&] { return meanOf(joint, causes, 1, runs, 2); })};
 }
 
 Eigen::VectorXd Ensemble::rough(const std::vector<EffectSetting>& causes) {
-  return meanOf(joint_.rough(), causes, 0, 1, 1);
+  return recalled([&] { return meanOf(joint_.rough(), causes, 0, 1, 1); });
 }
 
 Eigen::VectorXd Ensemble::roughOf(const std::vector<EffectSetting>& causes,
                                   const MotionSpan& span) {
-  ++used_;
-  const std::uint64_t stream = streamOf(StreamUse::Mean, span.motion, 0);
-  return joint_.rough().run(withGiven(causes), span.motion, stream, noise_).reshaped();
+  return recalled([&]() -> Eigen::VectorXd {
+    ++used_;
+    const std::uint64_t stream = streamOf(StreamUse::Mean, span.motion, 0);
+    return joint_.rough().run(withGiven(causes), span.motion, stream, noise_).reshaped();
+  });
 }
 
 // Of every `every`-th of the runs 0 to `runs` - 1, from the `first` on.
@@ -96,19 +106,38 @@ Eigen::VectorXd Ensemble::meanOf(const JointSimulator& joint,
   return data_.stack(means);
 }
 
+// On tape: the runs of every span one after the other.
 RunPool Ensemble::pool(const std::vector<EffectSetting>& causes, int runs) {
+  RunPool pool;
+  const Eigen::VectorXd all = recalled([&] {
+    Eigen::VectorXd values(data_.size() * runs);
+    const RunPool simulated = simulatedPool(causes, runs);
+    for (std::size_t i = 0; i < simulated.runs.size(); ++i) {
+      const MotionSpan& span = data_.spans()[i];
+      values.segment(span.offset * runs, span.size() * runs) = simulated.runs[i].reshaped();
+    }
+    return values;
+  });
+  pool.mean.resize(data_.size());
+  for (const MotionSpan& span : data_.spans()) {
+    pool.runs.push_back(
+        all.segment(span.offset * runs, span.size() * runs).reshaped(span.size(), runs));
+    pool.mean.segment(span.offset, span.size()) = pool.runs.back().rowwise().mean();
+  }
+  return pool;
+}
+
+RunPool Ensemble::simulatedPool(const std::vector<EffectSetting>& causes, int runs) {
   const std::vector<EffectSetting> all = withGiven(causes);
   const JointSimulator& joint = joint_.exact();
   const long cost = &joint == &joint_ ? 1 : kExactCost;
   RunPool pool;
-  pool.mean.resize(data_.size());
   for (const MotionSpan& span : data_.spans()) {
     const std::size_t m = span.motion;
     Eigen::MatrixXd columns(span.size(), runs);
     for (int r = 0; r < runs; ++r) {
       columns.col(r) = joint.run(all, m, streamOf(StreamUse::Pool, m, r), noise_).reshaped();
     }
-    pool.mean.segment(span.offset, span.size()) = columns.rowwise().mean();
     pool.runs.push_back(std::move(columns));
     used_ += runs * cost;
   }

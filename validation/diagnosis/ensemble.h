@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 
 namespace nao::validation {
 
+class EnsembleTape;
 class JointData;
 struct MotionSpan;
 
@@ -58,6 +60,12 @@ class Ensemble {
   /// Causes that every model has from now on, such as what all joints share.
   void setGiven(std::vector<EffectSetting> given) { given_ = std::move(given); }
 
+  /// From now on what is asked is taken from the tape, as far as it goes, and added to it; null:
+  /// simulated. The tape must outlive its use.
+  void setTape(EnsembleTape* tape) { tape_ = tape; }
+  /// Told after every ensemble how many runs there were so far.
+  void setWatch(std::function<void(long)> watch) { watch_ = std::move(watch); }
+
   std::vector<Joint> carried() const { return joint_.carried(); }
   const JointNoise& noise() const { return noise_; }
   const JointData& data() const { return data_; }
@@ -67,6 +75,8 @@ class Ensemble {
   bool spent() const { return used_ >= granted_; }
 
  private:
+  Eigen::VectorXd recalled(const std::function<Eigen::VectorXd()>& simulate);
+  RunPool simulatedPool(const std::vector<EffectSetting>& causes, int runs);
   Halves halvesOf(const JointSimulator& joint, const std::vector<EffectSetting>& causes, int runs);
   Eigen::VectorXd meanOf(const JointSimulator& joint, const std::vector<EffectSetting>& causes,
                          int first, int runs, int every);
@@ -77,6 +87,8 @@ class Ensemble {
   JointNoise noise_;
   std::vector<EffectSetting> given_;
   long granted_, used_ = 0;
+  EnsembleTape* tape_ = nullptr;
+  std::function<void(long)> watch_;
 };
 
 }  // namespace nao::validation

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "core/check.h"
-#include "validation/diagnosis/shared_cause.h"
+#include "validation/diagnosis/team.h"
 
 namespace nao::validation {
 namespace {

@@ -40,6 +40,9 @@ class JointSearch {
     return beatingSizes(ensemble_, *stage_, causes_, cause);
   }
   const NullRecord& nulls() const { return nulls_; }
+  std::string name() const { return joint_.joint(); }
+  /// For Ensemble::setTape and setWatch.
+  Ensemble& ensemble() { return ensemble_; }
 
   /// `others`: the largest of all other joints, by null set.
   JointVerdict conclude(const NullRecord& others);

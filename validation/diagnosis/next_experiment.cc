@@ -10,7 +10,7 @@
 #include "validation/diagnosis/merge_effects.h"
 #include "validation/diagnosis/prepared_set.h"
 #include "validation/diagnosis/replay.h"
-#include "validation/diagnosis/shared_cause.h"
+#include "validation/diagnosis/team.h"
 #include "validation/suspended.h"
 
 namespace nao::validation {

@@ -12,7 +12,7 @@
 #include "validation/diagnosis/block_bootstrap.h"
 #include "validation/diagnosis/least_squares.h"
 #include "validation/diagnosis/motion_fit.h"
-#include "validation/diagnosis/shared_cause.h"
+#include "validation/diagnosis/team.h"
 
 namespace nao::validation {
 namespace {

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "validation/diagnosis/diagnose.h"
 #include "validation/diagnosis/noise_fit.h"
 #include "validation/diagnosis/rig_simulator.h"
 
@@ -25,5 +26,8 @@ struct PreparedSet {
 /// result is the same for any number. @throws InputError as RigSet does.
 PreparedSet prepareSet(const LogSet& set, std::shared_ptr<const RobotModel> model, int jobs,
                        RigOptions options = {});
+/// The same for a diagnosis, with its team and what it keeps; without moments.
+PreparedSet prepareSet(const LogSet& set, std::shared_ptr<const RobotModel> model,
+                       const DiagnosisOptions& options);
 
 }  // namespace nao::validation

@@ -4,7 +4,7 @@
 
 #include "validation/diagnosis/prepared_set.h"
 #include "validation/diagnosis/replay.h"
-#include "validation/diagnosis/shared_cause.h"
+#include "validation/diagnosis/team.h"
 
 namespace nao::validation {
 namespace {

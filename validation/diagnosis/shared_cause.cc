@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <map>
 
 #include "validation/diagnosis/beat_search.h"
@@ -13,8 +12,6 @@ namespace {
 constexpr double kAsGood = 0.8;  // of what the joints' own causes explain by looks: both are rough
 constexpr int kTried = 3;        // shared causes that are fitted
 constexpr double kSame = 0.03;   // of the gain: rivals within it are not told apart
-
-using Searches = std::vector<std::unique_ptr<JointSearch>>;
 
 // The parabola of nats that a look is worth at a scale: along * s - square * s^2 / 2, all joints.
 struct SharedLook {
@@ -29,49 +26,30 @@ struct SharedLook {
 
 constexpr double kOfScan = 0;  // no size is 0
 
-bool isStart(const Cause& cause, double x) {
-  const std::vector<double>& starts = cause.free[0].starts;
-  return std::find(starts.begin(), starts.end(), x) != starts.end();
-}
-
-std::vector<SharedLook> sharedLooks(const Searches& searches) {
+std::vector<SharedLook> sharedLooks(const JointCrowd& joints) {
   std::map<std::pair<std::size_t, double>, SharedLook> sums;
-  for (std::size_t j = 0; j < searches.size(); ++j) {
-    const Stage& stage = searches[j]->stage();
-    const Eigen::VectorXd white = stage.white(stage.raw());
-    for (const Look& look : stage.looks()) {
-      const Cause& cause = searches[j]->causes()[look.cause];
-      if (cause.scope != Scope::Robot || look.x.size() != 1) continue;
-      const Explained explained(look.white, white);
+  for (const JointLooks& joint : joints.looks()) {
+    for (const SharedPart& part : joint.shared) {
       // Of a scan every joint has its own best, near the one that all share.
-      const bool scanned = !cause.scan.empty() && !isStart(cause, look.x[0]);
-      SharedLook& sum = sums[{look.cause, scanned ? kOfScan : look.x[0]}];
-      sum.cause = look.cause;
-      if (explained.gain() > sum.most) {
-        sum.most = explained.gain(), sum.x = look.x[0];
+      SharedLook& sum = sums[{part.cause, part.scanned ? kOfScan : part.x}];
+      sum.cause = part.cause;
+      if (part.gain > sum.most) {
+        sum.most = part.gain, sum.x = part.x;
       }
-      sum.along += explained.along();
-      sum.square += explained.square();
-      sum.lower = std::max(sum.lower, look.lower);
-      sum.upper = std::min(sum.upper, look.upper);
+      sum.along += part.along;
+      sum.square += part.square;
+      sum.lower = std::max(sum.lower, part.lower);
+      sum.upper = std::min(sum.upper, part.upper);
       ++sum.joints;
     }
   }
   std::vector<SharedLook> looks;
   for (const auto& [key, sum] : sums) {
-    if (sum.joints == static_cast<int>(searches.size()) && sum.lower <= sum.upper) {
+    if (sum.joints == static_cast<int>(joints.size()) && sum.lower <= sum.upper) {
       looks.push_back(sum);
     }
   }
   return looks;
-}
-
-// What each joint gains with this number [nats].
-std::vector<double> gainsAt(const Searches& searches, std::size_t cause, double x, int jobs) {
-  std::vector<double> gains(searches.size());
-  inParallel(searches.size(), jobs,
-             [&](std::size_t j) { gains[j] = -searches[j]->costOf(cause, x); });
-  return gains;
 }
 
 double sum(const std::vector<double>& values) {
@@ -83,11 +61,8 @@ double sum(const std::vector<double>& values) {
 // One number for all joints; remembers what every number gains.
 class SharedFit {
  public:
-  SharedFit(const Searches& searches, const SharedLook& look, int jobs)
-      : searches_(searches),
-        look_(look),
-        number_(searches.front()->causes()[look.cause].free[0]),
-        jobs_(jobs) {}
+  SharedFit(JointCrowd& joints, const SharedLook& look)
+      : joints_(joints), look_(look), number_(joints.causes()[look.cause].free[0]) {}
 
   // Narrows a bracket of three numbers around the best by parabolas.
   void narrow() {
@@ -129,7 +104,7 @@ class SharedFit {
     x = std::clamp(x, number_.lower, number_.upper);
     auto found = tried_.find(x);
     if (found == tried_.end()) {
-      found = tried_.emplace(x, gainsAt(searches_, look_.cause, x, jobs_)).first;
+      found = tried_.emplace(x, joints_.gainsAt(look_.cause, x)).first;
     }
     return sum(found->second);
   }
@@ -141,63 +116,46 @@ class SharedFit {
     return best->first;
   }
 
-  const Searches& searches_;
+  JointCrowd& joints_;
   const SharedLook& look_;
   const FreeNumber& number_;
-  int jobs_;
   std::map<double, std::vector<double>> tried_;  // by number: of each joint
 };
 
-SharedCause fitShared(const Searches& searches, const SharedLook& look, double critical, int jobs) {
-  SharedFit fit(searches, look, jobs);
+SharedCause fitShared(JointCrowd& joints, const SharedLook& look, double critical) {
+  SharedFit fit(joints, look);
   fit.narrow();
   return fit.best(critical);
 }
 
 // Clocks that beat with that of the log: the joint that is furthest off proposes sizes.
-void addBeats(const Searches& searches, double critical, int jobs, std::vector<SharedCause>& fits) {
+void addBeats(JointCrowd& joints, double critical, std::vector<SharedCause>& fits) {
   std::size_t worst = 0;
-  double most = -1;
-  for (std::size_t j = 0; j < searches.size(); ++j) {
-    const Stage& stage = searches[j]->stage();
-    const double square = stage.white(stage.raw()).squaredNorm();
-    if (square > most) most = square, worst = j;
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    if (joints.looks()[j].square > joints.looks()[worst].square) worst = j;
   }
-  const auto& causes = searches[worst]->causes();
+  const auto& causes = joints.causes();
   for (std::size_t c = 0; c < causes.size(); ++c) {
     if (!causes[c].beats || causes[c].scope != Scope::Robot) continue;
-    const std::vector<double> sizes = searches[worst]->beatingSizesOf(c);
+    const std::vector<double> sizes = joints.beatingSizesOf(worst, c);
     if (sizes.empty()) continue;
     SharedLook look;
     look.cause = c;
-    SharedFit fit(searches, look, jobs);
-    fit.beat(sizes, searches[worst]->data());
+    SharedFit fit(joints, look);
+    fit.beat(sizes, joints.data(worst));
     fits.push_back(fit.best(critical));
   }
 }
 
 }  // namespace
 
-void inParallel(std::size_t count, int jobs, const std::function<void(std::size_t)>& work) {
-  const auto threads = static_cast<std::size_t>(std::max(1, jobs));
-  std::vector<std::future<void>> running;
-  for (std::size_t first = 1; first < threads && first < count; ++first) {
-    running.push_back(std::async(std::launch::async, [=, &work] {
-      for (std::size_t i = first; i < count; i += threads) work(i);
-    }));
-  }
-  for (std::size_t i = 0; i < count; i += threads) work(i);
-  for (auto& one : running) one.get();
-}
-
-std::optional<SharedCause> findShared(const Searches& searches, double critical, int jobs) {
-  if (searches.size() < 2) return std::nullopt;
+std::optional<SharedCause> findShared(JointCrowd& joints, double critical) {
+  if (joints.size() < 2) return std::nullopt;
   double own = 0;
-  for (const auto& search : searches) {
-    const double best = search->stage().largestGain(search->stage().white(search->stage().raw()));
-    if (best > critical) own += best;
+  for (const JointLooks& joint : joints.looks()) {
+    if (joint.best > critical) own += joint.best;
   }
-  std::vector<SharedLook> looks = sharedLooks(searches);
+  std::vector<SharedLook> looks = sharedLooks(joints);
   std::stable_sort(looks.begin(), looks.end(),
                    [](const SharedLook& a, const SharedLook& b) { return a.gain() > b.gain(); });
   std::vector<SharedCause> fits;
@@ -205,12 +163,12 @@ std::optional<SharedCause> findShared(const Searches& searches, double critical,
     if (look.gain() <= critical || look.gain() < kAsGood * own) break;
     const bool tried = std::any_of(fits.begin(), fits.end(),
                                    [&](const SharedCause& one) { return one.cause == look.cause; });
-    const bool beats = searches.front()->causes()[look.cause].beats;  // looked at below
+    const bool beats = joints.causes()[look.cause].beats;  // looked at below
     if (tried || beats || static_cast<int>(fits.size()) >= kTried) continue;
-    fits.push_back(fitShared(searches, look, critical, jobs));
+    fits.push_back(fitShared(joints, look, critical));
   }
-  if (own > 0) addBeats(searches, critical, jobs, fits);
-  const auto& causes = searches.front()->causes();
+  if (own > 0) addBeats(joints, critical, fits);
+  const auto& causes = joints.causes();
   // The size of a rough cause is the best of many: it has to be better than one that is not.
   const auto worth = [&](const SharedCause& one) {
     return causes[one.cause].linear ? one.gain : (1 - kSame) * one.gain;

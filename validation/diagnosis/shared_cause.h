@@ -1,17 +1,12 @@
 #pragma once
 
-#include <functional>
-#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
-#include "validation/diagnosis/joint_search.h"
+#include "validation/diagnosis/joint_crowd.h"
 
 namespace nao::validation {
-
-/// Runs `work(i)` for all i < count on several threads; every i belongs to one thread from the
-/// start, so that results do not depend on their number.
-void inParallel(std::size_t count, int jobs, const std::function<void(std::size_t)>& work);
 
 /// A cause with one number for all joints.
 struct SharedCause {
@@ -24,7 +19,6 @@ struct SharedCause {
 
 /// The cause of Scope::Robot that explains, with one number, about as much as each joint's own
 /// best cause does for itself; none if no two joints need one.
-std::optional<SharedCause> findShared(const std::vector<std::unique_ptr<JointSearch>>& searches,
-                                      double critical, int jobs);
+std::optional<SharedCause> findShared(JointCrowd& joints, double critical);
 
 }  // namespace nao::validation

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/check.h"
-#include "validation/diagnosis/shared_cause.h"
+#include "validation/diagnosis/team.h"
 
 namespace nao::validation {
 

@@ -7,7 +7,7 @@
 
 #include "validation/diagnosis/joint_search.h"
 #include "validation/diagnosis/least_squares.h"
-#include "validation/diagnosis/shared_cause.h"
+#include "validation/diagnosis/team.h"
 
 namespace nao::validation {
 namespace {

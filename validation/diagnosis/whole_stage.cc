@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/random.h"
-#include "validation/diagnosis/shared_cause.h"
+#include "validation/diagnosis/team.h"
 
 namespace nao::validation {
 namespace {

@@ -54,12 +54,18 @@ std::string contentOf(const fs::path& file) {
   return content;
 }
 
+bool isBelow(const fs::path& file, const fs::path& folder) {
+  const fs::path from = fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(folder));
+  return !from.empty() && *from.begin() != "..";
+}
+
 }  // namespace
 
-std::string sha256OfFolder(const std::string& folder) {
+std::string sha256OfFolder(const std::string& folder, const std::string& except) {
   std::error_code failed;
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder, failed)) {
+    if (!except.empty() && isBelow(entry.path(), except)) continue;
     if (entry.is_regular_file()) files.push_back(entry.path().lexically_relative(folder));
   }
   if (failed) throw InputError(folder + ": expected a folder that can be read");

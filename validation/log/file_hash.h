@@ -5,7 +5,8 @@
 namespace nao::validation {
 
 /// SHA-256 of what a folder's files hold, with their names, in hexadecimal digits: the same for
-/// every copy of the folder. @throws InputError if the folder or a file of it can not be read.
-std::string sha256OfFolder(const std::string& folder);
+/// every copy of the folder. What lies in the folder `except`, if it is below, does not count.
+/// @throws InputError if the folder or a file of it can not be read.
+std::string sha256OfFolder(const std::string& folder, const std::string& except = "");
 
 }  // namespace nao::validation

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <stdexcept>
+
+#include "tests/core/temporary_folder.h"
+#include "tests/validation/diagnosis/thread_team.h"
 #include "tests/validation/diagnosis/toy_joint.h"
 #include "validation/diagnosis/diagnosis_json.h"
 
@@ -63,6 +68,99 @@ TEST(Diagnose, SaysTheSameWithAnyNumberOfThreads) {
   DiagnosisOptions one = quick(1), two = quick(2);
   one.effort = two.effort = {2, 4, 8, 12, 2, 1, 1};
   EXPECT_EQ(toJson(diagnose({weak, {}}, one), {}), toJson(diagnose({weak, {}}, two), {}));
+}
+
+// A joint that counts what is simulated.
+class CountedJoint final : public JointSimulator {
+ public:
+  CountedJoint(const ToyJoint& joint, std::atomic<long>& runs) : joint_(joint), runs_(runs) {}
+  std::string joint() const override { return joint_.joint(); }
+  const std::vector<JointMotion>& measured() const override { return joint_.measured(); }
+  Eigen::MatrixXd run(const std::vector<EffectSetting>& causes, std::size_t motion,
+                      std::uint64_t stream, const JointNoise& noise) const override {
+    ++runs_;
+    return joint_.run(causes, motion, stream, noise);
+  }
+  double present(const std::string& effect, const std::string& parameter) const override {
+    return joint_.present(effect, parameter);
+  }
+
+ private:
+  const ToyJoint& joint_;
+  std::atomic<long>& runs_;
+};
+
+// Two joints that are late, one of them weak as well, searched with little effort.
+class CutOff : public testing::Test {
+ protected:
+  CutOff() {
+    ToyLaws weak = late();
+    weak.kp *= 0.7;
+    for (const ToyLaws& truth : {late(), weak}) {
+      toys_.emplace_back(truth, 1 + toys_.size(), test::kToyNoise, 3, 2,
+                         "Toy" + std::to_string(toys_.size()));
+    }
+    for (const ToyJoint& toy : toys_) joints_.emplace_back(toy, runs_);
+    for (const CountedJoint& joint : joints_) tasks_.push_back({&joint, test::kToyNoise});
+    options_.effort = {2, 4, 8, 12, 2, 1, 1};
+  }
+
+  std::string diagnosed(const DiagnosisOptions& options) const {
+    return toJson(diagnoseJoints(tasks_, test::toyCauses(), options), {});
+  }
+  DiagnosisOptions keeping() const {
+    DiagnosisOptions options = options_;
+    options.kept = KeptWork(folder_.path() + "/kept", "key");
+    return options;
+  }
+
+  std::vector<ToyJoint> toys_;
+  std::vector<CountedJoint> joints_;
+  std::vector<JointTask> tasks_;
+  std::atomic<long> runs_{0};
+  DiagnosisOptions options_;
+  TemporaryFolder folder_;
+};
+
+TEST_F(CutOff, ADiagnosisThatIsTakenUpAgainSaysTheSame) {
+  const std::string whole = diagnosed(options_);
+  const long all = runs_;
+  for (const double part : {0.2, 0.4}) {  // of what was to be simulated
+    DiagnosisOptions options = keeping();
+    runs_ = 0;
+    options.progress = [&](const std::string&, double) {
+      if (static_cast<double>(runs_) > part * static_cast<double>(all)) {
+        throw std::runtime_error("cut off");
+      }
+    };
+    EXPECT_THROW(diagnosed(options), std::runtime_error);
+  }
+  runs_ = 0;
+  EXPECT_EQ(diagnosed(keeping()), whole);
+  EXPECT_LT(runs_, 0.9 * static_cast<double>(all));
+}
+
+TEST_F(CutOff, WhatIsFinishedIsNotSimulatedAgain) {
+  const std::string whole = diagnosed(keeping());
+  runs_ = 0;
+  EXPECT_EQ(diagnosed(keeping()), whole);
+  EXPECT_EQ(runs_, 0);
+}
+
+TEST_F(CutOff, ProcessesTogetherSayTheSameAsOne) {
+  const std::string whole = diagnosed(options_);
+  const long all = runs_;
+  for (const std::size_t size : {2u, 3u}) {  // of three one has nothing to do
+    runs_ = 0;
+    std::vector<std::string> said(size);
+    test::ThreadTeam::run(size, [&](const Team& team) {
+      DiagnosisOptions options = options_;
+      options.team = std::shared_ptr<const Team>(&team, [](const Team*) {});
+      said[team.rank()] = diagnosed(options);
+    });
+    EXPECT_EQ(said, std::vector<std::string>(size, whole));
+    EXPECT_EQ(runs_, all);  // nobody did what another did
+  }
 }
 
 }  // namespace

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "validation/diagnosis/diagnose.h"
+
+namespace nao::validation {
+
+/// What a look at a cause of Scope::Robot shows at one joint: the parabola of nats that it is worth
+/// at a scale, along * s - square * s^2 / 2.
+struct SharedPart {
+  std::size_t cause = 0;
+  double x = 0;
+  bool scanned = false;  // one of many sizes
+  double along = 0, square = 0, gain = 0;
+  double lower = 0, upper = 0;  // of the scale
+};
+
+/// What the others must know of a joint that was looked at.
+struct JointLooks {
+  NullRecord nulls;
+  double best = 0;    // [nats] the largest gain of any look
+  double square = 0;  // of the residual
+  std::vector<SharedPart> shared;
+};
+
+/// All joints of a set, searched side by side: by the threads of this process, and by the other
+/// processes of the team, each of which has joints of its own. All of them know what every joint
+/// answers. What was simulated and concluded before is taken from the kept work.
+class JointCrowd {
+ public:
+  /// Tasks, team and kept work must outlive it.
+  JointCrowd(const std::vector<JointTask>& tasks, const std::vector<Cause>& causes,
+             const DiagnosisOptions& options);
+  ~JointCrowd();
+
+  std::size_t size() const { return searches_.size(); }
+  const std::vector<Cause>& causes() const { return searches_.front()->causes(); }
+  const JointData& data(std::size_t joint) const { return searches_[joint]->data(); }
+
+  /// Looks at every cause at every joint.
+  void begin();
+  /// Of all joints, since begin() or give().
+  const std::vector<JointLooks>& looks() const { return looks_; }
+  /// The largest of all joints but `left_out`, by null set.
+  NullRecord largestNulls(std::size_t left_out = static_cast<std::size_t>(-1)) const;
+  /// What each joint gains with this number [nats].
+  std::vector<double> gainsAt(std::size_t cause, double x);
+  /// Sizes that a joint proposes for a cause that beats.
+  std::vector<double> beatingSizesOf(std::size_t joint, std::size_t cause);
+  /// Takes a cause for given at all joints and looks anew.
+  void give(std::size_t cause, double x);
+  /// The verdicts of all joints.
+  std::vector<JointVerdict> conclude();
+
+ private:
+  struct Done {
+    std::atomic<double> look{0}, rest{0};  // parts of the two that are done, 0 to 1
+  };
+
+  std::vector<std::string> ask(const std::string& question,
+                               const std::function<std::string(std::size_t)>& work);
+  void taped(std::size_t joint, const std::string& question, const std::function<void()>& work);
+  void watched(std::size_t joint, double usual, std::atomic<double>& part,
+               const std::function<void()>& work);
+  void lookAnew(const std::string& question, const std::function<void(std::size_t)>& work);
+  std::string unitOf(std::size_t joint, const std::string& question) const;
+  void tell() const;
+
+  const DiagnosisOptions& options_;
+  std::vector<std::unique_ptr<JointSearch>> searches_;
+  std::vector<JointLooks> looks_;
+  std::vector<Done> done_;
+  std::string step_;
+};
+
+}  // namespace nao::validation

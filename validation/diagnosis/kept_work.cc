@@ -1,0 +1,80 @@
+#include "validation/diagnosis/kept_work.h"
+
+#include <unistd.h>
+
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+
+#include "core/check.h"
+
+namespace nao::validation {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kKey[] = "key";
+constexpr char kEnding[] = ".unit";
+const std::string kWhole = "\nwhole\n";  // what a file ends with that was not cut off
+
+}  // namespace
+
+KeptWork::KeptWork(std::string folder, const std::string& key) : folder_(std::move(folder)) {
+  std::error_code failed;
+  fs::create_directories(folder_, failed);
+  const std::optional<std::string> before = find(kKey);
+  if (before) found_ = *before == key ? Found::Same : Found::Other;
+  if (found_ == Found::Other) {
+    for (const auto& entry : fs::directory_iterator(folder_, failed)) {
+      if (entry.path().extension() == kEnding) fs::remove(entry.path(), failed);
+    }
+  }
+  if (found_ != Found::Same) keep(kKey, key);
+}
+
+std::string KeptWork::fileOf(const std::string& unit) const {
+  std::string name = unit;
+  for (char& c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '.' && c != '-') c = '_';
+  }
+  return (fs::path(folder_) / (name + kEnding)).string();
+}
+
+std::optional<std::string> KeptWork::find(const std::string& unit) const {
+  if (!keeps()) return std::nullopt;
+  std::ifstream in(fileOf(unit), std::ios::binary);
+  std::string content{std::istreambuf_iterator<char>(in), {}};
+  const std::size_t size = content.size() - std::min(content.size(), kWhole.size());
+  if (content.size() < kWhole.size() || content.substr(size) != kWhole) return std::nullopt;
+  content.resize(size);
+  return content;
+}
+
+void KeptWork::keep(const std::string& unit, const std::string& content) const {
+  if (!keeps()) return;
+  const std::string file = fileOf(unit);
+  const std::string unfinished = file + "." + std::to_string(::getpid());
+  std::ofstream out(unfinished, std::ios::binary);
+  if (!(out << content << kWhole).flush()) {
+    throw InputError(unfinished + ": can not be written");
+  }
+  out.close();
+  std::error_code failed;
+  fs::rename(unfinished, file, failed);
+  if (failed) throw InputError(file + ": can not be written");
+}
+
+std::string KeptWork::remember(const std::string& unit,
+                               const std::function<std::string()>& work) const {
+  if (std::optional<std::string> before = find(unit)) return *before;
+  std::string content = work();
+  keep(unit, content);
+  return content;
+}
+
+void KeptWork::discard() const {
+  std::error_code ignored;
+  if (keeps()) fs::remove_all(folder_, ignored);
+}
+
+}  // namespace nao::validation
