@@ -38,6 +38,8 @@ const std::map<std::string, std::set<std::string>> kOnlyHere = {
     {"msgpack", {"naoqi_api"}},
     {"boost/asio", {"daemon"}},
     {"boost/beast", {"daemon"}},
+    {"boost/mpi", {}},
+    {"mpi.h", {}},
     {"openssl", {"daemon", "validation"}},
     {"yaml-cpp", {"core"}},
     {"urdf_", {"core"}},
