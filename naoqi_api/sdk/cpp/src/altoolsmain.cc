@@ -9,6 +9,8 @@
 #include <cstring>
 #include <iostream>
 
+#include "naoqi_api/sdk/cpp/src/qi_application.h"
+
 namespace {
 
 struct Options {
@@ -73,6 +75,7 @@ int ALTools::mainFunction(const std::string& name, int argc, char* argv[],
         name, options.ip, options.port, options.parent_ip, options.parent_port);
     const int failed = create_module(broker);
     if (failed == 0) serveUntilTheEnd(*broker);
+    nao::client::actAtStop();
     broker->shutdown();
     AL::ALBrokerManager::getInstance()->removeBroker(broker);
     return failed;
