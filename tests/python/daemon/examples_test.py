@@ -10,7 +10,7 @@ import tempfile
 import unittest
 from queue import Queue
 
-from programs import EXAMPLES, PATIENCE, ROOT, daemon, environment, needsDaemon, run
+from programs import EXAMPLES, PATIENCE, ROOT, daemon, enterDaemon, environment, needsDaemon, run
 from usarnaoqi_sdk import Session
 
 # Need more than a robot at an address: they have tests of their own.
@@ -21,9 +21,7 @@ EXCEPT = {"react_to_events.py", "lola_camera.py"}
 class ExamplesTest(unittest.TestCase):
     def example(self, name, cwd=None):
         """What it prints, and the session of a witness to ask afterwards."""
-        context = daemon()
-        address = context.__enter__()
-        self.addCleanup(context.__exit__, None, None, None)
+        address = enterDaemon(self)
         printed = run([sys.executable, os.path.join(EXAMPLES, name)], cwd or EXAMPLES, address)
         session = Session(address)
         self.addCleanup(session.close)

@@ -5,7 +5,7 @@ import queue
 import unittest
 from unittest import mock
 
-from programs import daemon, needsDaemon
+from programs import enterDaemon, needsDaemon
 from usarnaoqi_sdk import finder
 
 finder.install()
@@ -38,19 +38,13 @@ class Listener(naoqi.ALModule):
 @needsDaemon
 class ModuleTest(unittest.TestCase):
     def setUp(self):
-        address = self.enterDaemon()
+        address = enterDaemon(self)
         patch = mock.patch.dict(os.environ, {"NAOQI_ADDRESS": address})
         patch.start()
         self.addCleanup(patch.stop)
         self.broker = naoqi.ALBroker("tests", "0.0.0.0", 0, "10.0.0.1", 9559)
         self.addCleanup(self.broker.shutdown)
         self.memory = naoqi.ALProxy("ALMemory", self.broker)
-
-    def enterDaemon(self):
-        context = daemon()
-        address = context.__enter__()
-        self.addCleanup(context.__exit__, None, None, None)
-        return address
 
     def testEventsCallTheModule(self):
         listener = Listener("Listener")

@@ -4,6 +4,7 @@ import contextlib
 import os
 import subprocess
 import sys
+import tempfile
 import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -47,6 +48,14 @@ def environment(address=None, **more):
     return ours
 
 
+def enterDaemon(test, **options):
+    """The address of a daemon that lives as long as the test."""
+    context = daemon(**options)
+    address = context.__enter__()
+    test.addCleanup(context.__exit__, None, None, None)
+    return address
+
+
 def run(command, cwd, address=None, code=0):
     """What the program prints; checks its exit code."""
     done = subprocess.run(command, cwd=cwd, env=environment(address), text=True,
@@ -55,3 +64,29 @@ def run(command, cwd, address=None, code=0):
         raise AssertionError("%s: exit code %d\n%s%s" % (command, done.returncode, done.stdout,
                                                          done.stderr))
     return done.stdout
+
+
+class FolderTest(unittest.TestCase):
+    """Tests that write and start programs in a folder of their own."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def write(self, name, text):
+        with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
+            file.write(text)
+        return name
+
+    def read(self, name):
+        with open(os.path.join(self.folder, name), encoding="utf-8") as file:
+            return file.read()
+
+    def usarnaoqi(self, *words, code=0, **more):
+        """Runs our program; what it printed. Checks its exit code, unless that is None."""
+        done = subprocess.run([PROGRAM, *words], cwd=self.folder, env=environment(**more),
+                              text=True, capture_output=True, timeout=PATIENCE, check=False)
+        if code is not None:
+            self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        return done

@@ -3,10 +3,9 @@
 import os
 import re
 import subprocess
-import tempfile
 import unittest
 
-from programs import PATIENCE, PROGRAM, environment, needsDaemon, run
+from programs import FolderTest, PATIENCE, PROGRAM, environment, needsDaemon
 
 WALK = """
 from naoqi import ALProxy
@@ -32,24 +31,13 @@ while True:
 
 
 @needsDaemon
-class RecordingTest(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
-
-    def write(self, name, text):
-        with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
-            file.write(text)
-        return name
-
+class RecordingTest(FolderTest):
     def replay(self, *words, code=0):
-        return run([PROGRAM, "replay", *words], self.folder, code=code)
+        return self.usarnaoqi("replay", *words, code=code).stdout
 
     def record(self, name, program=WALK, *options):
         script = self.write("program.py", program)
-        run([PROGRAM, "run", "--speed", "max", *options, "--record", name, "--", "python3", script],
-            self.folder)
+        self.usarnaoqi("run", "--speed", "max", *options, "--record", name, "--", "python3", script)
 
     def testARunIsDoneAgainToTheLastBit(self):
         self.record("run.rec")
@@ -75,22 +63,20 @@ class RecordingTest(unittest.TestCase):
         self.record("run.rec")
         text = self.replay("run.rec", "--set", "robot.effects.backlash=0")
         self.assertIn("their states part at 0.002 s", text)
-        run([PROGRAM, "replay", "run.rec", "--set", "robot.effects.magic=0"], self.folder, code=2)
+        self.replay("run.rec", "--set", "robot.effects.magic=0", code=2)
 
     def testItsSignalsAreASetLikeAMeasuredOne(self):
         self.record("run.rec")
         self.replay("run.rec", "--from", "1", "--csv", "run.csv", "--set-out", "set")
-        with open(os.path.join(self.folder, "run.csv"), encoding="ascii") as file:
-            rows = file.read().splitlines()
+        rows = self.read("run.csv").splitlines()
         self.assertEqual(float(rows[1].split(",")[0]), 1)
         self.assertIn("q.LKneePitch", rows[0].split(","))
-        self.assertIn("No fault was found", run([PROGRAM, "check-data", "set"], self.folder))
+        self.assertIn("No fault was found", self.usarnaoqi("check-data", "set").stdout)
 
     def testWhatIsNoRecordingIsToldInOneSentence(self):
         self.write("text", "no recording\n")
-        done = subprocess.run([PROGRAM, "replay", "text"], cwd=self.folder, text=True,
-                              capture_output=True, timeout=PATIENCE, check=False)
-        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        done = self.usarnaoqi("replay", "text", code=2)
+        self.assertEqual(done.stdout, "")
         self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
         self.assertIn("text: file is not a database", done.stderr)
 

@@ -3,10 +3,9 @@
 import os
 import signal
 import subprocess
-import tempfile
 import unittest
 
-from programs import PATIENCE, PROGRAM, environment, needsDaemon, run
+from programs import FolderTest, PATIENCE, PROGRAM, environment, needsDaemon
 
 HARD_CODED = """
 from naoqi import ALProxy
@@ -15,19 +14,9 @@ print(len(ALProxy("ALMotion", "192.168.1.77", 9559).getBodyNames("Body")))
 
 
 @needsDaemon
-class RunTest(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
-
-    def write(self, name, text):
-        with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
-            file.write(text)
-        return name
-
+class RunTest(FolderTest):
     def run_(self, *words, code=0):
-        return run([PROGRAM, "run", *words], self.folder, code=code)
+        return self.usarnaoqi("run", *words, code=code).stdout
 
     def start(self, text, *options):
         """A program under way, once it has printed a line."""
@@ -62,9 +51,8 @@ class RunTest(unittest.TestCase):
     def testPython2IsConvertedAndNothingStays(self):
         self.write("old.py", "import sys\nfrom naoqi import ALProxy\n"
                              "print 'halves', 7 / 2, sys.argv[1]\n")
-        done = subprocess.run([PROGRAM, "run", "--py2", "--", "python2.7", "old.py", "word"],
-                              cwd=self.folder, env=environment(TMPDIR=self.folder), text=True,
-                              capture_output=True, timeout=PATIENCE, check=False)
+        done = self.usarnaoqi("run", "--py2", "--", "python2.7", "old.py", "word", code=None,
+                              TMPDIR=self.folder)
         if "neither lib2to3" in done.stderr or "no lib2to3" in done.stderr:
             self.skipTest("python3 has no lib2to3")
         self.assertEqual((done.returncode, done.stdout), (0, "halves 3 word\n"), done.stderr)

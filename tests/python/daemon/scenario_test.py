@@ -3,12 +3,10 @@
 import json
 import os
 import re
-import subprocess
-import tempfile
 import unittest
 import xml.etree.ElementTree
 
-from programs import PATIENCE, PROGRAM, environment, needsDaemon
+from programs import FolderTest, needsDaemon
 
 CLIENT = """
 import sys, time
@@ -40,34 +38,19 @@ def withoutTimes(xml_text):
 
 
 @needsDaemon
-class ScenarioTest(unittest.TestCase):
+class ScenarioTest(FolderTest):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
+        super().setUp()
         self.write("client.py", CLIENT)
-
-    def write(self, name, text):
-        with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
-            file.write(text)
-
-    def read(self, name):
-        with open(os.path.join(self.folder, name), encoding="utf-8") as file:
-            return file.read()
-
-    def run_(self, *words, code=0):
-        done = subprocess.run([PROGRAM, *words], cwd=self.folder, env=environment(), text=True,
-                              capture_output=True, timeout=PATIENCE, check=False)
-        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
-        return done
 
     def testWhatPassesIsTheSameEveryTime(self):
         self.write("counts.yaml", SCENARIO % {"code": 0})
         for name in ("one", "two"):
-            done = self.run_("ci", ".", "--jobs", "2", "--junit", name + ".xml", "--json")
+            done = self.usarnaoqi("ci", ".", "--jobs", "2", "--junit", name + ".xml", "--json")
             figures = json.loads(done.stdout)["figures"]
             self.assertEqual((figures["scenarios"], figures["passed"], figures["failed"]), (2, 2, 0))
-            self.run_("run", "--scenario", "counts.yaml", "--seed", "2", "--result", name + ".json")
+            self.usarnaoqi("run", "--scenario", "counts.yaml", "--seed", "2", "--result",
+                           name + ".json")
         self.assertEqual(withoutTimes(self.read("one.xml")), withoutTimes(self.read("two.xml")))
         one, two = (json.loads(self.read(name + ".json")) for name in ("one", "two"))
         self.assertEqual(one["hash"], two["hash"])
@@ -75,19 +58,19 @@ class ScenarioTest(unittest.TestCase):
 
     def testWhatFailsIsToldAndKept(self):
         self.write("counts.yaml", SCENARIO % {"code": 5})
-        done = self.run_("ci", "counts.yaml", "--seeds", "1", "--junit", "out.xml", "--record",
-                         "failed", code=1)
+        done = self.usarnaoqi("ci", "counts.yaml", "--seeds", "1", "--junit", "out.xml",
+                              "--record", "failed", code=1)
         told = "expected counts ends with exit code 0 by 4 s; closest: ended with exit code 5"
         self.assertIn(told, done.stderr)
         self.assertIn("again: usarnaoqi run --scenario counts.yaml --seed 1", done.stderr)
         suite = xml.etree.ElementTree.parse(os.path.join(self.folder, "out.xml")).getroot()
         (failure,) = suite.iter("failure")
         self.assertIn(told, failure.text)
-        self.run_("replay", "counts-1.run")
+        self.usarnaoqi("replay", "counts-1.run")
 
     def testABrokenScenarioIsRefusedBeforeAnythingRuns(self):
         self.write("counts.yaml", SCENARIO % {"code": 0} + "  - {uprigth: {}}\n")
-        done = self.run_("ci", ".", code=2)
+        done = self.usarnaoqi("ci", ".", code=2)
         self.assertIn("counts.yaml:12: `uprigth`: unknown, expected one of", done.stderr)
 
 
