@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <memory>
 
 #include "app/commands.h"
@@ -17,6 +18,7 @@
 #include "validation/diagnosis/diagnosis_page.h"
 #include "validation/diagnosis/packed.h"
 #include "validation/diagnosis/prepared_set.h"
+#include "validation/diagnosis/verdict_record.h"
 #include "validation/diagnosis/whole_diagnosis.h"
 #include "validation/log/data_faults.h"
 #include "validation/log/file_hash.h"
@@ -30,7 +32,7 @@ constexpr char kKept[] = "/unfinished";  // in --out
 struct Arguments {
   std::string set, model, out, budget, joint;
   std::string level = "joint";
-  std::string robots_dir = "robots";
+  std::string robots_dir = "robots", record = "validation/record/diagnosis.yaml";
   int jobs = 1;
   bool json = false;
 };
@@ -170,6 +172,18 @@ void report(const Arguments& arguments, const std::string& json, const std::stri
   if (code != 0) throw CLI::RuntimeError(code);
 }
 
+validation::VerdictRecords recordsOf(const Arguments& arguments) {
+  return validation::VerdictRecords::read(findSourceFile(arguments.record));
+}
+
+int leastRepeats(const validation::LogSet& set) {
+  std::map<std::string, int> repeats;
+  for (const validation::LogRun& run : set.runs) ++repeats[run.motion];
+  int least = 1000;
+  for (const auto& [motion, count] : repeats) least = std::min(least, count);
+  return least;
+}
+
 // Limb and robot level: the whole robot is replayed.
 void runWhole(const Arguments& arguments, const validation::LogSet& set,
               const std::shared_ptr<const RobotModel>& model, const std::string& name) {
@@ -181,7 +195,8 @@ void runWhole(const Arguments& arguments, const validation::LogSet& set,
   options.jobs = arguments.jobs;
   if (!arguments.budget.empty()) options.seconds = secondsOf(arguments.budget);
   options.progress = [](const std::string& what) { std::fprintf(stderr, "%s\n", what.c_str()); };
-  const auto found = validation::diagnoseWhole(set, model, options);
+  auto found = validation::diagnoseWhole(set, model, options);
+  addRecords(found.set, recordsOf(arguments), arguments.level, "whole robot", leastRepeats(set));
   const validation::Provenance provenance = provenanceOf(arguments, set, name);
   const std::string json = toJson(found, provenance);
   writeReport(arguments, json, arguments.out.empty() ? "" : wholePage(found, provenance));
@@ -228,7 +243,8 @@ void runJoints(const Arguments& arguments, const validation::LogSet& set,
     }));
   }
   const auto tasks = tasksOf(prepared, arguments.joint);
-  const auto [found, notes] = diagnoseTasks(tasks, prepared, options);
+  auto [found, notes] = diagnoseTasks(tasks, prepared, options);
+  addRecords(found, recordsOf(arguments), tasks);
   const std::string json = toJson(found, provenance);
   if (!arguments.out.empty()) {
     const auto examined = validation::examineJoints(found, tasks, options);
@@ -302,6 +318,11 @@ void addDiagnose(CLI::App& app) {
                       "Folder for report.json and report.html. What is finished is kept there: "
                       "after an\ninterruption the same command goes on.");
   command->add_option("--robots-dir", arguments->robots_dir, "Where the robots' folders are.")
+      ->capture_default_str();
+  command
+      ->add_option("--record", arguments->record,
+                   "How diagnoses of hidden sets turned out; `usarnaoqi bench diagnosis --record`\n"
+                   "writes it.")
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "The report instead of text.");
   command->callback([arguments] { run(*arguments); });

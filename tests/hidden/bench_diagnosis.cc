@@ -10,6 +10,7 @@
 #include "core/check.h"
 #include "tests/hidden/figures.h"
 #include "tests/hidden/preset.h"
+#include "tests/hidden/track_record.h"
 #include "tests/hidden/trial.h"
 
 namespace nao::hidden {
@@ -23,7 +24,8 @@ struct Arguments {
   std::string shard = "1/1";
   bool json = false;
   int most = 0;
-  std::string kind;
+  std::string kind, record;
+  std::vector<std::string> results;  // that are there already
   Counts counts;
   TrialPlace place;
 };
@@ -67,16 +69,18 @@ std::vector<HiddenCase> chosenCases(const Arguments& arguments) {
   return cases;
 }
 
-void run(const Arguments& arguments) {
+double secondsSince(std::chrono::steady_clock::time_point begun) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+}
+
+// The lines of this shard's sets, those that were there already included.
+std::vector<std::string> tryAll(const Arguments& arguments) {
+  const auto begun = std::chrono::steady_clock::now();
   const Shard shard = parseShard(arguments.shard);
   const fs::path results = fs::path(arguments.place.folder) / "results.jsonl";
   fs::create_directories(results.parent_path());
   std::map<std::string, std::string> done = readDone(results);
   const std::vector<HiddenCase> cases = chosenCases(arguments);
-  const auto begun = std::chrono::steady_clock::now();
-  const auto seconds = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-  };
   std::vector<std::string> lines;
   int made = 0;
   for (std::size_t i = shard.index; i < cases.size(); i += shard.count) {
@@ -89,14 +93,35 @@ void run(const Arguments& arguments) {
     }
     lines.push_back(done[name]);
     std::fprintf(stderr, "\r%zu of %zu sets, %.0f s ", lines.size(),
-                 (cases.size() - shard.index + shard.count - 1) / shard.count, seconds());
+                 (cases.size() - shard.index + shard.count - 1) / shard.count, secondsSince(begun));
   }
   std::fprintf(stderr, "\n");
+  return lines;
+}
+
+std::vector<std::string> readAll(const std::vector<std::string>& files) {
+  std::vector<std::string> lines;
+  for (const std::string& file : files) {
+    if (!fs::exists(file)) throw InputError("--results " + file + ": no such file");
+    for (const auto& [name, line] : readDone(file)) lines.push_back(line);
+  }
+  return lines;
+}
+
+void run(const Arguments& arguments) {
+  const auto begun = std::chrono::steady_clock::now();
+  const std::vector<std::string> lines =
+      arguments.results.empty() ? tryAll(arguments) : readAll(arguments.results);
   const Figures figures = figuresOf(lines);
   if (arguments.json) {
-    std::printf("%s\n", toJson(figures, arguments.preset, seconds()).c_str());
+    std::printf("%s\n", toJson(figures, arguments.preset, secondsSince(begun)).c_str());
   } else {
     std::printf("%s%s", toText(figures).c_str(), listWrong(lines).c_str());
+  }
+  if (arguments.record.empty()) return;
+  std::ofstream out(arguments.record);
+  if (!(out << toYaml(lines)).flush()) {
+    throw InputError("--record " + arguments.record + ": can not be written");
   }
 }
 
@@ -123,6 +148,11 @@ int main(int argc, char** argv) {
   app.add_option("--most", arguments.most, "Stop after this many sets more; 0: all.");
   app.add_option("--kind", arguments.kind,
                  "Sets of this kind alone, such as single or exact_null.");
+  app.add_option("--results", arguments.results,
+                 "results.jsonl of earlier calls: their figures, no new sets.");
+  app.add_option("--record", arguments.record,
+                 "Writes what the statements of these diagnoses came to, by kind: the table that\n"
+                 "`usarnaoqi diagnose` quotes from (validation/record/diagnosis.yaml).");
   app.add_option("--program", arguments.place.program, "The program on trial.");
   app.add_option("--robots-dir", arguments.place.robots_dir, "The nominal models.");
   app.add_flag("--keep", arguments.place.keep_sets, "Keep the sets.");

@@ -11,12 +11,20 @@ namespace {
 
 using Json = nlohmann::json;
 
+validation::StatementKind kindOf(const Json& from) {
+  if (!from.contains("record") || from.at("record").is_null()) return {};
+  const Json& record = from.at("record");
+  return {record.at("level"), record.at("verdict"), record.at("size"), record.at("signals"),
+          record.at("repeats")};
+}
+
 GivenCause causeOf(const Json& finding, const std::string& joint) {
   GivenCause cause;
   cause.cause = finding.at("cause");
   cause.effect = finding.at("effect");
   cause.joint = joint;
   cause.gain = finding.at("gain_nats");
+  cause.kind = kindOf(finding);
   for (const Json& rival : finding.at("rivals")) cause.rivals.push_back(rival.at("cause"));
   for (const Json& number : finding.at("numbers")) {
     const double value = number.at("value").is_null() ? 0 : number.at("value").get<double>();
@@ -59,7 +67,8 @@ GivenReport readReport(const std::string& text) {
     if (json.contains("shared")) addCauses(json.at("shared"), "", report);
     if (json.contains("joints")) {
       for (const Json& joint : json.at("joints")) {
-        report.joints.push_back({joint.at("joint"), joint.at("verdict"), joint.at("signature")});
+        report.joints.push_back(
+            {joint.at("joint"), joint.at("verdict"), joint.at("signature"), kindOf(joint)});
         addCauses(joint.at("findings"), joint.at("joint"), report);
       }
     }

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "validation/diagnosis/verdict.h"
 
 namespace nao::hidden {
 
@@ -16,11 +19,13 @@ struct GivenCause {
   double value = 0, deviation = 0, low = 0, high = 0;
   /// Of the further parameters that shape it.
   std::vector<std::pair<std::string, double>> shape;
+  validation::StatementKind kind{};  // of an old report: empty
 };
 
 /// What a diagnosis wrote of one joint.
 struct GivenJoint {
   std::string joint, verdict, signature;
+  validation::StatementKind kind{};  // empty where a cause is named
 };
 
 /// The part of report.json that is judged.

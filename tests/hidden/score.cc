@@ -128,7 +128,41 @@ void scoreNumbers(const Truth& truth, const GivenReport& report, Score& score) {
   }
 }
 
+// A remainder beside a cause is what a stranger leaves.
+bool isRightAbout(const Truth& truth, const GivenCause& given) {
+  return std::any_of(truth.hidden.begin(), truth.hidden.end(), [&](const HiddenTruth& hidden) {
+    if (!hidden.cause.empty()) return isAmong(truth, hidden, given);
+    return isThere(truth, hidden, given) && has(given.rivals, "unknown");
+  });
+}
+
+// Nothing to name: right if nothing is hidden here, or if what is here has no name.
+bool isRightAbout(const Truth& truth, const GivenJoint& given) {
+  const auto& all = truth.hidden;
+  return std::all_of(all.begin(), all.end(),
+                     [&](const HiddenTruth& hidden) {
+                       const bool here = hidden.joint.empty() || hidden.joint == given.joint;
+                       return !here || (given.verdict == "unknown" && hidden.cause.empty());
+                     }) &&
+         (given.verdict == "no_discrepancy" || !all.empty());
+}
+
 }  // namespace
+
+std::vector<JudgedStatement> judgeStatements(const Truth& truth, const GivenReport& report) {
+  std::vector<JudgedStatement> judged;
+  for (const GivenCause& given : report.causes) {
+    if (given.kind.verdict.empty()) continue;
+    const bool right = isRightAbout(truth, given);
+    judged.push_back({given.kind, right, !right && !isLookAlike(truth, given)});
+  }
+  for (const GivenJoint& given : report.joints) {
+    if (given.kind.verdict.empty()) continue;
+    const bool right = isRightAbout(truth, given);
+    judged.push_back({given.kind, right, !right});
+  }
+  return judged;
+}
 
 Score score(const Truth& truth, const GivenReport& report) {
   Score score;

@@ -38,4 +38,12 @@ struct Score {
 
 Score score(const Truth& truth, const GivenReport& report);
 
+/// A statement of a report: of a cause, or that there is nothing to name at a joint. Neither right
+/// nor wrong is a cause that the truth lists as looking the same.
+struct JudgedStatement {
+  validation::StatementKind kind;
+  bool right = false, wrong = false;
+};
+std::vector<JudgedStatement> judgeStatements(const Truth& truth, const GivenReport& report);
+
 }  // namespace nao::hidden

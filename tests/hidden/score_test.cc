@@ -128,5 +128,49 @@ TEST(Score, ErrorsAreRelativeToTheHiddenDeviation) {
   EXPECT_TRUE(found.numbers[0].covered);
 }
 
+// A report whose statements say of what kind they are.
+std::vector<JudgedStatement> judged(const Truth& truth, GivenReport report) {
+  for (GivenCause& cause : report.causes) {
+    cause.kind.verdict = cause.rivals.empty() ? "named" : "ambiguous";
+  }
+  if (report.causes.empty()) report.joints.front().kind.verdict = report.verdict;
+  return judgeStatements(truth, report);
+}
+
+TEST(JudgedStatements, ACauseIsRightAtItsJointOrAmongItsRivals) {
+  const Truth truth = hiding("kp_error");
+  EXPECT_TRUE(judged(truth, saying("named", {named("kp_error")})).at(0).right);
+  EXPECT_TRUE(judged(truth, saying("named", {named("kp_error", "HeadPitch")})).at(0).wrong);
+  EXPECT_TRUE(judged(truth, saying("named", {named("backlash")})).at(0).wrong);
+  const auto set = saying("ambiguous", {named("backlash", "HeadYaw", {"kp_error"})});
+  EXPECT_TRUE(judged(truth, set).at(0).right);
+}
+
+TEST(JudgedStatements, AListedLookAlikeIsNeitherRightNorWrong) {
+  Truth truth = hiding("kp_error");
+  truth.hidden[0].look_alikes = {"torque_limit"};
+  const JudgedStatement one = judged(truth, saying("named", {named("torque_limit")})).at(0);
+  EXPECT_FALSE(one.right);
+  EXPECT_FALSE(one.wrong);
+}
+
+TEST(JudgedStatements, NothingIsRightWhereNothingIsHidden) {
+  Truth null = hiding("kp_error");
+  null.hidden.clear();
+  EXPECT_TRUE(judged(null, saying("no_discrepancy")).at(0).right);
+  EXPECT_TRUE(judged(null, saying("unknown")).at(0).wrong);
+  EXPECT_TRUE(judged(null, saying("named", {named("kp_error")})).at(0).wrong);
+  EXPECT_TRUE(judged(hiding("kp_error"), saying("no_discrepancy")).at(0).wrong);
+  EXPECT_TRUE(judged(hiding("kp_error", "HeadPitch"), saying("no_discrepancy")).at(0).right);
+}
+
+TEST(JudgedStatements, UnknownIsRightOfAStranger) {
+  EXPECT_TRUE(judged(hiding(""), saying("unknown")).at(0).right);
+  EXPECT_TRUE(judged(hiding("kp_error"), saying("unknown")).at(0).wrong);
+  const auto beside = saying("partly_explained", {named("backlash", "HeadYaw", {"unknown"})});
+  EXPECT_TRUE(judged(hiding(""), beside).at(0).right);
+  EXPECT_TRUE(judged(hiding(""), saying("named", {named("backlash")})).at(0).wrong);
+}
+
 }  // namespace
 }  // namespace nao::hidden

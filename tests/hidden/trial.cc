@@ -96,6 +96,20 @@ Json toJson(const Score& score) {
           {"numbers", numbers}};
 }
 
+Json toJson(const std::vector<JudgedStatement>& statements) {
+  Json list = Json::array();
+  for (const JudgedStatement& one : statements) {
+    list.push_back({{"level", one.kind.level},
+                    {"verdict", one.kind.verdict},
+                    {"size", one.kind.size},
+                    {"signals", one.kind.signals},
+                    {"repeats", one.kind.repeats},
+                    {"right", one.right},
+                    {"wrong", one.wrong}});
+  }
+  return list;
+}
+
 // What was said, short: "HeadYaw: kp_error | motor_inertia".
 std::string saying(const GivenReport& report) {
   std::string text = report.verdict;
@@ -165,6 +179,7 @@ std::string runTrial(const HiddenCase& hidden, const TrialPlace& place) {
     }
     line["said"] = saying(report);
     line["score"] = toJson(score(sealed.truth, report));
+    line["statements"] = toJson(judgeStatements(sealed.truth, report));
     if (!sealed.truth.hidden.empty() && report.verdict != "data_fault") {
       const Gain gain = calcGain(validation::readLogSet(sealed.folder), sealed.truth, report,
                                  *loadRobotModel(place.robots_dir, hidden.robot()));

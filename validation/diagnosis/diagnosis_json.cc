@@ -20,6 +20,12 @@ Json toJson(const std::vector<FoundNumber>& numbers) {
   return list;
 }
 
+Json toJson(const StatementKind& kind, const std::string& record) {
+  if (record.empty()) return nullptr;
+  return {{"level", kind.level},     {"verdict", kind.verdict}, {"size", kind.size},
+          {"signals", kind.signals}, {"repeats", kind.repeats}, {"text", record}};
+}
+
 Json toJson(const Finding& finding) {
   Json rivals = Json::array();
   for (const Rival& rival : finding.rivals) {
@@ -39,7 +45,8 @@ Json toJson(const Finding& finding) {
           {"one_motion_only", finding.one_motion_only},
           {"below_size_of_interest", finding.small},
           {"rivals", rivals},
-          {"experiment", finding.experiment}};
+          {"experiment", finding.experiment},
+          {"record", toJson(finding.kind, finding.record)}};
 }
 
 Json toJson(const JointVerdict& joint) {
@@ -61,6 +68,7 @@ Json toJson(const JointVerdict& joint) {
           {"signature", joint.signature},
           {"repeat_split_ratio", joint.split_ratio},
           {"with_repeats", joint.with_repeats},
+          {"record", toJson(joint.kind, joint.record)},
           {"runs", joint.runs}};
 }
 
@@ -77,6 +85,7 @@ void write(std::ostream& out, const std::string& who, const Finding& finding) {
   if (!finding.rivals.empty()) out << "; to tell them apart: " << finding.experiment;
   if (finding.one_motion_only) out << " (seen in one motion only)";
   out << "\n";
+  if (!finding.record.empty()) out << "  such statements before: " << finding.record << "\n";
 }
 
 }  // namespace
@@ -116,12 +125,16 @@ std::string toText(const SetDiagnosis& diagnosis) {
           << joint.misfit_after << " of the noise floor)";
       if (!joint.signature.empty()) out << "; it goes with " << joint.signature;
       out << "\n";
+      if (!joint.record.empty()) out << "  such statements before: " << joint.record << "\n";
     }
     if (!joint.not_tried.empty()) {
       out << joint.joint << ": unfinished, not tried:";
       for (const std::string& cause : joint.not_tried) out << " " << cause;
       out << "\n";
     }
+  }
+  if (diagnosis.verdict == Verdict::NoDiscrepancy && !diagnosis.joints.empty()) {
+    out << "such statements before: " << diagnosis.joints.front().record << "\n";
   }
   out << diagnosis.joints.size() << " joints, threshold " << diagnosis.critical_gain
       << " nats from " << diagnosis.null_sets << " null sets, " << diagnosis.runs << " runs\n";

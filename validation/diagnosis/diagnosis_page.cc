@@ -45,7 +45,10 @@ std::string headline(const SetDiagnosis& diagnosis, const std::vector<Examined>&
           ". ";
     }
   }
-  if (text.empty()) return "The model explains this set: what is left is noise.";
+  if (text.empty()) {
+    return "The model explains this set: what is left is noise. Such statements before: " +
+           diagnosis.joints.front().record + ".";
+  }
   return text;
 }
 
@@ -65,7 +68,7 @@ TextTable errorMap(const std::vector<Examined>& joints) {
 TextTable findingsOf(const JointVerdict& joint) {
   TextTable table{"Found, in this order",
                   {"cause", "value", "90 % of the deviation", "gain [nats]", "folds", "rivals",
-                   "to tell them apart"},
+                   "to tell them apart", "such statements before"},
                   {}};
   for (const Finding& finding : joint.findings) {
     std::string values, intervals, rivals;
@@ -82,7 +85,7 @@ TextTable findingsOf(const JointVerdict& joint) {
         {finding.cause + (finding.small ? " (too small to matter)" : ""), values, intervals,
          fixed(finding.gain, 0),
          std::to_string(finding.folds_better) + " of " + std::to_string(finding.folds), rivals,
-         finding.rivals.empty() ? "" : finding.experiment});
+         finding.rivals.empty() ? "" : finding.experiment, finding.record});
   }
   return table;
 }
@@ -109,7 +112,9 @@ std::string chapterOf(const Examined& joint) {
   out += "<p>What is left: " + fixed(verdict.misfit_after, 2) +
          " of the noise floor (before: " + fixed(verdict.misfit_before, 2) + "), " +
          fixed(verdict.remainder_score, 1) + " SD beyond null sets; a remainder is told from " +
-         fixed(verdict.remainder_critical, 1) + " on.</p>\n";
+         fixed(verdict.remainder_critical, 1) + " on." +
+         (verdict.record.empty() ? "" : " Such statements before: " + escapeHtml(verdict.record)) +
+         "</p>\n";
   return out + toHtml(rejectedOf(verdict));
 }
 

@@ -23,6 +23,15 @@ struct Rival {
   double behind = 0;  // [nats] of gain
 };
 
+/// What kind of statement a diagnosis makes, by what its report shows of it: those of one kind are
+/// about as often right (verdict_record.h).
+struct StatementKind {
+  std::string level;          // "joint", "limb", "robot"
+  std::string verdict;        // of a finding: "named", "ambiguous", "partly_explained"
+  std::string size, signals;  // of the gain; what was measured
+  std::string repeats;        // "1", "2 to 4", "5 or more"
+};
+
 /// A cause that is part of a joint's fitted model.
 struct Finding {
   std::string cause;   // id in the catalogue of causes
@@ -37,6 +46,8 @@ struct Finding {
   std::vector<Rival> rivals;  // none: named alone
   std::string sentence;
   std::string experiment;  // that separates it from its rivals
+  StatementKind kind{};    // empty until addRecords()
+  std::string record{};    // how such statements turned out where the truth was known
 };
 
 /// What became of a candidate that is not part of the model.
@@ -71,6 +82,8 @@ struct JointVerdict {
   bool with_repeats = true;
   long runs = 0;          // simulated
   std::string signature;  // of the remainder; empty: none was sought
+  StatementKind kind{};   // likewise, if nothing is named here
+  std::string record{};
 
   /// The findings that count: of interest.
   std::vector<const Finding*> named() const;

@@ -39,7 +39,7 @@ std::string intervalOf(const FoundNumber& number) {
 TextTable findingsOf(const WholeDiagnosis& diagnosis) {
   TextTable table{"Found",
                   {"where", "cause", "value", "90 % of the deviation", "gain [nats]", "held out",
-                   "rivals", "to tell them apart"},
+                   "rivals", "to tell them apart", "such statements before"},
                   {}};
   for (const JointVerdict& place : diagnosis.set.joints) {
     for (const Finding& finding : place.findings) {
@@ -53,7 +53,7 @@ TextTable findingsOf(const WholeDiagnosis& diagnosis) {
       table.lines.push_back({place.joint, finding.cause + (finding.small ? " (too small)" : ""),
                              values, intervals, fixed(finding.gain, 0),
                              fixed(finding.held_out_gain, 0), rivals,
-                             finding.rivals.empty() ? "" : finding.experiment});
+                             finding.rivals.empty() ? "" : finding.experiment, finding.record});
     }
   }
   return table;
