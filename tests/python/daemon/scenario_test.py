@@ -48,7 +48,8 @@ class ScenarioTest(FolderTest):
         for name in ("one", "two"):
             done = self.usarnaoqi("ci", ".", "--jobs", "2", "--junit", name + ".xml", "--json")
             figures = json.loads(done.stdout)["figures"]
-            self.assertEqual((figures["scenarios"], figures["passed"], figures["failed"]), (2, 2, 0))
+            self.assertEqual([figures[key] for key in ("scenarios", "passed", "failed")],
+                             [2, 2, 0])
             self.usarnaoqi("run", "--scenario", "counts.yaml", "--seed", "2", "--result",
                            name + ".json")
         self.assertEqual(withoutTimes(self.read("one.xml")), withoutTimes(self.read("two.xml")))
