@@ -8,6 +8,7 @@
 #include "core/random.h"
 #include "validation/diagnosis/ensemble_tape.h"
 #include "validation/diagnosis/joint_data.h"
+#include "validation/diagnosis/noise_fit.h"
 
 namespace nao::validation {
 namespace {
@@ -46,6 +47,10 @@ Eigen::VectorXd RunPool::measuredAgain(const JointData& data, std::uint64_t seed
 Ensemble::Ensemble(const JointSimulator& joint, const JointData& data, const JointNoise& noise,
                    long granted)
     : joint_(joint), data_(data), noise_(noise), granted_(granted) {}
+
+void Ensemble::learnNoise(const std::vector<EffectSetting>& causes) {
+  noise_ = fitNoise(joint_, noise_, withGiven(causes));
+}
 
 std::vector<EffectSetting> Ensemble::withGiven(const std::vector<EffectSetting>& causes) const {
   std::vector<EffectSetting> all = given_;

@@ -57,6 +57,10 @@ class Ensemble {
   /// `runs` exact runs per motion.
   RunPool pool(const std::vector<EffectSetting>& causes, int runs);
 
+  /// Fits the noise anew, with these causes in the model: what shakes a joint or holds it is no
+  /// noise of its own.
+  void learnNoise(const std::vector<EffectSetting>& causes);
+
   /// Causes that every model has from now on, such as what all joints share.
   void setGiven(std::vector<EffectSetting> given) { given_ = std::move(given); }
 

@@ -241,6 +241,7 @@ bool JointSearch::accept(std::vector<Candidate> ranking) {
                          isSmall(candidate),
                          {}});
     setRivals(accepted_.size() - 1, ranking);
+    ensemble_.learnNoise(settingsOf(causes_, candidate.fit.model));
     enterModel(candidate.fit);
     return true;
   }

@@ -14,7 +14,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kLags = 30;  // rows: 0.3 s at 100 Hz, longer than a joint's noise remembers
+constexpr int kLags = 30;        // rows: 0.3 s at 100 Hz, longer than a joint's noise remembers
+constexpr double kSticks = 0.1;  // of the usual variance: what is less is no shaking
+constexpr double kTiny = 1e-18;  // [rad^2]
+constexpr std::size_t kSimulated = 12;  // repeats, so that their moments are no guess themselves
 
 // Of a joint whose robot's file says nothing; estimates, only where a fit begins.
 constexpr double kUsualTorque = 0.018;  // of what the motor gives
@@ -31,7 +34,23 @@ VectorXd meanOf(const JointMotion& motion) {
   return mean / static_cast<double>(motion.repeats.size());
 }
 
-// Sums over runs, each of which knows its own start from where the joint moves.
+// Of every run about the mean of the repeats, a column per run, scaled so that squares are not too
+// small for the mean being theirs; what runs differ by as they come late, as each shows where the
+// joint moves, is taken off.
+MatrixXd deviationsOf(const JointMotion& motion, VectorXd* lateness = nullptr) {
+  const VectorXd mean = meanOf(motion), rate = rateOf(mean, motion.dt);
+  MatrixXd all(mean.size(), static_cast<Index>(motion.repeats.size()));
+  if (lateness != nullptr) lateness->resize(all.cols());
+  for (Index r = 0; r < all.cols(); ++r) {
+    all.col(r) = motion.repeats[static_cast<std::size_t>(r)].col(0) - mean;
+    const double late = latenessOf(all.col(r), rate);
+    all.col(r) += late * rate;
+    if (lateness != nullptr) (*lateness)[r] = late;
+  }
+  return all;
+}
+
+// Sums over runs.
 struct Sums {
   double squares = 0, samples = 0;
   double starts = 0, runs = 0;
@@ -39,85 +58,137 @@ struct Sums {
   VectorXd pairs = VectorXd::Zero(kLags + 1);
 
   void add(const JointMotion& motion) {
-    const VectorXd mean = meanOf(motion), rate = rateOf(mean, motion.dt);
+    VectorXd lateness;
+    const MatrixXd deviations = deviationsOf(motion, &lateness);
     const auto repeats = static_cast<double>(motion.repeats.size());
     const double unbiased = repeats / (repeats - 1);
-    for (const MatrixXd& run : motion.repeats) {
-      VectorXd deviation = run.col(0) - mean;
-      squares += unbiased * deviation.squaredNorm();
-      samples += static_cast<double>(deviation.size());
-      const double late = latenessOf(deviation, rate);
-      starts += unbiased * late * late;
-      deviation += late * rate;
-      runs += 1;
+    const VectorXd mean = meanOf(motion);
+    for (Index r = 0; r < deviations.cols(); ++r) {
+      squares +=
+          unbiased * (motion.repeats[static_cast<std::size_t>(r)].col(0) - mean).squaredNorm();
+      samples += static_cast<double>(mean.size());
+      const VectorXd deviation = deviations.col(r);
       for (Index lag = 0; lag <= kLags && lag < deviation.size(); ++lag) {
         const Index n = deviation.size() - lag;
         covariance[lag] += unbiased * deviation.head(n).dot(deviation.tail(n));
         pairs[lag] += static_cast<double>(n);
       }
     }
+    starts += unbiased * lateness.squaredNorm();
+    runs += repeats;
   }
 };
 
-std::vector<JointMotion> simulatedRepeats(const JointSimulator& joint, const JointNoise& noise) {
+std::vector<JointMotion> simulatedRepeats(const JointSimulator& joint,
+                                          const std::vector<EffectSetting>& causes,
+                                          const JointNoise& noise, std::size_t least = 0) {
   std::vector<JointMotion> all;
   for (std::size_t m = 0; m < joint.measured().size(); ++m) {
     JointMotion motion = joint.measured()[m];
     if (!counts(motion)) continue;
+    motion.repeats.resize(std::max(least, motion.repeats.size()));
     for (std::size_t r = 0; r < motion.repeats.size(); ++r) {
       motion.repeats[r] =
-          joint.run({}, m, streamOf(StreamUse::Noise, m, static_cast<int>(r)), noise);
+          joint.run(causes, m, streamOf(StreamUse::Noise, m, static_cast<int>(r)), noise);
     }
     all.push_back(std::move(motion));
   }
   return all;
 }
 
-// Parts of two shapes, not below 0, that come nearest to `wanted`.
-struct Parts {
-  double first = 0, second = 0, error = 0;
-};
-
-Parts nearest(const VectorXd& wanted, const VectorXd& a, const VectorXd& b) {
-  const auto errorOf = [&](double x, double y) { return (wanted - x * a - y * b).squaredNorm(); };
-  const double aa = a.dot(a), bb = b.dot(b), ab = a.dot(b), aw = a.dot(wanted), bw = b.dot(wanted);
-  const double det = aa * bb - ab * ab;
-  Parts best{std::max(0.0, aa > 0 ? aw / aa : 0), 0, 0};
-  best.error = errorOf(best.first, 0);
-  if (det <= 1e-12 * aa * bb) return best;
-  const Parts both{(aw * bb - bw * ab) / det, (bw * aa - aw * ab) / det, 0};
-  if (both.first < 0 || both.second < 0) return best;
-  return {both.first, both.second, errorOf(both.first, both.second)};
+// Of every second of every motion, how the deviations go together with themselves some rows later:
+// a row per second, a column per lag. Where a cause makes a joint shake or stick it does so in some
+// seconds; the others tell the noise.
+MatrixXd momentsBySecond(const std::vector<JointMotion>& motions) {
+  std::vector<VectorXd> seconds;
+  for (const JointMotion& motion : motions) {
+    if (!counts(motion)) continue;
+    const MatrixXd deviations = deviationsOf(motion);
+    const auto length = static_cast<Index>(std::lround(1 / motion.dt));
+    for (Index at = 0; at + length <= deviations.rows() && length > kLags; at += length) {
+      VectorXd row(kLags + 1);
+      for (Index lag = 0; lag <= kLags; ++lag) {
+        const Index n = length - lag;
+        row[lag] =
+            deviations.middleRows(at, n).cwiseProduct(deviations.middleRows(at + lag, n)).sum() /
+            static_cast<double>(n * (deviations.cols() - 1));
+      }
+      seconds.push_back(std::move(row));
+    }
+  }
+  MatrixXd all(static_cast<Index>(seconds.size()), kLags + 1);
+  for (std::size_t i = 0; i < seconds.size(); ++i) all.row(static_cast<Index>(i)) = seconds[i];
+  return all;
 }
 
-VectorXd vectorOf(const std::vector<double>& list) {
-  return Eigen::Map<const VectorXd>(list.data(), static_cast<Index>(list.size()));
+// What lasts for more than one row is the torque's.
+VectorXd lastingPart(const MatrixXd& moments) { return moments.middleCols(1, 4).rowwise().sum(); }
+
+double median(VectorXd values) {
+  if (values.size() == 0) return 0;
+  const auto middle = values.data() + values.size() / 2;
+  std::nth_element(values.data(), middle, values.data() + values.size());
+  return *middle;
 }
 
-// The torque and the jitter beside it that give the measured covariance, for one time.
+// Of what is measured beside what is simulated, second by second and each by its own size, so that
+// a few that are far off count no more than others; those in which the joint sticks hardly count.
+double distance(const MatrixXd& measured, const MatrixXd& simulated) {
+  const VectorXd size = measured.col(0) + simulated.col(0);
+  const double least = kSticks * median(size);
+  double sum = 0;
+  for (Index i = 0; i < size.size(); ++i) {
+    const VectorXd beside = measured.row(i) - simulated.row(i);
+    sum += beside.cwiseAbs().mean() / std::max({size[i], least, kTiny});
+  }
+  return sum;
+}
+
+// The torque and the jitter beside it that give the measured moments, for one correlation time.
 struct Trial {
   JointNoise noise;
   double error = 0;
 };
 
-Trial tryTime(const JointSimulator& joint, const NoiseMoments& measured, JointNoise noise,
-              double time) {
-  constexpr int kRounds = 2;  // spread grows nearly in proportion to the torque
-  Trial trial;
-  noise.torque_time = time;
-  noise.jitter = noise.start_sd = 0;
-  VectorXd white = VectorXd::Zero(kLags + 1);
-  white[0] = 1;
-  const VectorXd wanted = vectorOf(measured.covariance);
-  for (int round = 0; round < kRounds; ++round) {
-    const NoiseMoments found = momentsOf(simulatedRepeats(joint, noise));
-    const Parts parts = nearest(wanted, vectorOf(found.covariance), white);
-    noise.torque_sd *= std::sqrt(std::clamp(parts.first, 1e-4, 1e4));
-    trial = {noise, parts.error};
-    trial.noise.jitter = std::sqrt(2 * parts.second);  // variance: half of its square
+class NoiseSearch {
+ public:
+  NoiseSearch(const JointSimulator& joint, const std::vector<EffectSetting>& causes)
+      : joint_(joint), causes_(causes), measured_(momentsBySecond(joint.measured())) {}
+
+  Trial at(JointNoise noise, double time) const {
+    noise.torque_time = time;
+    noise.jitter = 0;
+    for (int round = 0; round < kRounds; ++round) {
+      const double part = median(ratios(lastingPart(measured_), lastingPart(simulated(noise))));
+      noise.torque_sd *= std::sqrt(std::clamp(part, 0.01, 100.0));
+    }
+    MatrixXd found = simulated(noise);
+    const double white = std::max(0.0, median(measured_.col(0) - found.col(0)));
+    found.col(0).array() += white;
+    noise.jitter = std::sqrt(2 * white);  // variance: half of its square
+    return {noise, distance(measured_, found)};
   }
-  return trial;
-}
+
+ private:
+  static constexpr int kRounds = 2;  // spread grows nearly in proportion to the torque
+
+  MatrixXd simulated(const JointNoise& noise) const {
+    return momentsBySecond(simulatedRepeats(joint_, causes_, noise, kSimulated));
+  }
+  // Of seconds in which the joint is stuck neither here nor there.
+  static VectorXd ratios(const VectorXd& measured, const VectorXd& simulated) {
+    VectorXd all(measured.size());
+    Index n = 0;
+    for (Index i = 0; i < all.size(); ++i) {
+      if (simulated[i] > 0 && measured[i] > 0) all[n++] = measured[i] / simulated[i];
+    }
+    return all.head(n);
+  }
+
+  const JointSimulator& joint_;
+  const std::vector<EffectSetting>& causes_;
+  MatrixXd measured_;
+};
 
 // Of the robot's file, which gives them all.
 double numberOf(const EffectSetting& effect, const char* name, double otherwise) {
@@ -164,25 +235,32 @@ NoiseMoments momentsOf(const std::vector<JointMotion>& motions) {
 }
 
 NoiseComparison compareNoise(const JointSimulator& joint, const JointNoise& noise) {
-  return {momentsOf(joint.measured()), momentsOf(simulatedRepeats(joint, noise))};
+  return {momentsOf(joint.measured()), momentsOf(simulatedRepeats(joint, {}, noise))};
 }
 
-JointNoise fitNoise(const JointSimulator& joint, const JointNoise& first) {
+JointNoise fitNoise(const JointSimulator& joint, const JointNoise& first,
+                    const std::vector<EffectSetting>& causes) {
   const NoiseMoments measured = momentsOf(joint.measured());
   if (measured.covariance.empty()) return first;
   JointNoise start = first;
   if (start.torque_sd <= 0) start.torque_sd = 0.02;  // [N m] anything that moves the joint
+  start.start_sd =
+      measured.start_sd;  // what a shift leaves of a late start looks like a slow torque
+  const NoiseSearch search(joint, causes);
   Trial best;
   bool begun = false;
-  for (const double time : {0.02, 0.05, 0.12, 0.3}) {
-    const Trial trial = tryTime(joint, measured, start, time);
+  for (const double time : {0.02, 0.03, 0.045, 0.07, 0.1, 0.15, 0.25}) {
+    const Trial trial = search.at(start, time);
+    start.torque_sd = trial.noise.torque_sd;
     if (begun && trial.error >= best.error) continue;
     best = trial;
     begun = true;
   }
   // Noise alone makes runs look late too: only what is more than that are starts.
   JointNoise noise = best.noise;
-  const double apparent = momentsOf(simulatedRepeats(joint, noise)).start_sd;
+  noise.start_sd = 0;
+  const double apparent =
+      momentsOf(simulatedRepeats(joint, causes, noise, 2 * kSimulated)).start_sd;
   noise.start_sd =
       std::sqrt(std::max(0.0, measured.start_sd * measured.start_sd - apparent * apparent));
   return noise;

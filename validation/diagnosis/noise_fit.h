@@ -28,9 +28,10 @@ struct NoiseComparison {
 };
 NoiseComparison compareNoise(const JointSimulator& joint, const JointNoise& noise);
 
-/// The noise with which simulated repeats have the measured ones' moments: torque and its
-/// correlation time, starts, jitter. `first` is where it begins; motions without repeats say
-/// nothing, and if all are, `first` is the answer.
-JointNoise fitNoise(const JointSimulator& joint, const JointNoise& first);
+/// The noise with which simulated repeats, of the model with `causes`, have the measured ones'
+/// moments in most seconds: torque and its correlation time, starts, jitter. `first` is where it
+/// begins; motions without repeats say nothing, and if all are, `first` is the answer.
+JointNoise fitNoise(const JointSimulator& joint, const JointNoise& first,
+                    const std::vector<EffectSetting>& causes = {});
 
 }  // namespace nao::validation
