@@ -137,8 +137,11 @@ QuickFit fitQuickly(Ensemble& ensemble, const Stage& stage, const std::vector<Ca
   if (const Look* look = widerLook(stage, causes, cause, x)) {
     return {cause, x, Explained(look->white, stage.white(stage.raw())).gain(x[0] / look->x[0])};
   }
-  const SizeSearch search(ensemble, stage, causes, cause, effort);
-  const SizeSearch::Point best = search.from(x);
+  const auto search = [&](SizeSearch::Runs runs) {
+    return SizeSearch(ensemble, stage, causes, cause, effort, runs);
+  };
+  const SizeSearch::Point rough = search(SizeSearch::Runs::Rough).from(x);
+  const SizeSearch::Point best = search(SizeSearch::Runs::Coarse).near(rough.x);
   return {cause, best.x, best.gain};
 }
 

@@ -9,9 +9,17 @@ namespace nao::validation {
 namespace {
 
 constexpr int kSimulatedRepeats = 12;  // that stand in for repeats which were not measured
-// Counts: what equal robots differ by beside what a diagnosis knows of. Free choice; with 0.1 a
-// remainder is seen in legs whose masses are within 2 % of the model's.
-constexpr double kRounding = 0.2;
+// Counts: what equal robots differ by beside what a diagnosis knows of. Free choice.
+constexpr double kBesides = 0.05;
+
+// [counts] RMS error of the mean of many readings of an angle that shakes by `sd` counts, over
+// where between two counts it lies: the first harmonic of rounding's sawtooth, smeared by the
+// shaking.
+double roundingOf(double sd) {
+  constexpr double kTwoPi = 2 * M_PI;
+  const double of_angle = std::max(0.0, sd * sd - 1.0 / 12);  // rounding itself shakes too
+  return std::exp(-kTwoPi * kTwoPi * of_angle / 2) / (M_PI * std::sqrt(2.0));
+}
 
 std::vector<Eigen::MatrixXd> simulatedRepeats(const JointSimulator& joint, std::size_t motion,
                                               const JointNoise& noise) {
@@ -31,19 +39,19 @@ JointData::JointData(const JointSimulator& joint, const JointNoise& noise) : joi
 }
 
 void JointData::addMotions(Split split, const JointNoise& noise) {
-  const double quantum = std::max(noise.quantum, joint_.present("encoder_quantum", "quantum"));
+  quantum_ = std::max(noise.quantum, joint_.present("encoder_quantum", "quantum"));
   for (std::size_t m = 0; m < joint_.measured().size(); ++m) {
     const JointMotion& motion = joint_.measured()[m];
     if (motion.split != split || motion.repeats.empty()) continue;
     const bool alone = motion.repeats.size() < 2;
     has_repeats_ = has_repeats_ && !alone;
     addMotion(
-        m, motion, quantum,
+        m, motion,
         alone ? statisticsOf(motion, simulatedRepeats(joint_, m, noise)) : statisticsOf(motion));
   }
 }
 
-void JointData::addMotion(std::size_t motion, const JointMotion& measured, double quantum,
+void JointData::addMotion(std::size_t motion, const JointMotion& measured,
                           const RepeatStatistics& found) {
   const MotionSpan span{
       motion,      measured.split, mean_.size(), found.mean.rows(), found.mean.cols(),
@@ -55,12 +63,13 @@ void JointData::addMotion(std::size_t motion, const JointMotion& measured, doubl
   for (Eigen::Index s = 0; s < span.signals; ++s) {
     const Eigen::Index at = span.offset + s * span.rows;
     mean_.segment(at, span.rows) = found.mean.col(s);
-    const double rounding = s == 0 ? kRounding * quantum : 0;
-    rounding_.segment(at, span.rows).setConstant(rounding);
     const double part = found.inflation[s] / found.repeats;
-    sd_.segment(at, span.rows) =
-        (found.sd.col(s).array().square() * part + rounding * rounding).sqrt();
     for (Eigen::Index i = 0; i < span.rows; ++i) {
+      const double sd = found.sd(i, s);
+      const double rounding =
+          s == 0 && quantum_ > 0 ? quantum_ * std::hypot(kBesides, roundingOf(sd / quantum_)) : 0;
+      rounding_[at + i] = rounding;
+      sd_[at + i] = std::sqrt(sd * sd * part + rounding * rounding);
       block_.push_back(blocks_ + static_cast<int>(i / second));
     }
   }

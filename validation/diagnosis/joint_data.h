@@ -47,11 +47,11 @@ class JointData {
 
  private:
   void addMotions(Split split, const JointNoise& noise);
-  void addMotion(std::size_t motion, const JointMotion& measured, double quantum,
-                 const RepeatStatistics& found);
+  void addMotion(std::size_t motion, const JointMotion& measured, const RepeatStatistics& found);
 
   const JointSimulator& joint_;
   std::vector<MotionSpan> spans_;
+  double quantum_ = 0;  // [rad]
   Eigen::VectorXd mean_, sd_, rounding_;
   Eigen::Index fit_size_ = 0;
   std::vector<int> block_;

@@ -70,14 +70,14 @@ void JointSearch::weigh(const Stage& stage, std::vector<Candidate>& ranking) {
   sortBest(ranking, near.size());
 }
 
-// Half the squares of what is really left with this fit, its numbers moved to where that is least;
-// by as many runs as the stage's own residual, whose chance then is the same.
+// Half the squares of what is really left with this fit, its numbers moved to where that is least.
+// Runs of the same streams for every fit: their chance falls out between fits.
 double JointSearch::leftBy(const Stage& stage, ModelFit& fit) {
   const auto left = [&](int runs) -> Eigen::VectorXd {
     return data_.mean() - ensemble_.pool(settingsOf(causes_, fit.model), runs).mean;
   };
   moveNumbers(fit, left(effort_.base_runs / 3), stage, causes_);
-  const Eigen::VectorXd white = stage.whitenFit(left(effort_.base_runs));
+  const Eigen::VectorXd white = stage.whitenFit(left(effort_.base_runs / 2));
   Eigen::MatrixXd own(white.size(), fit.jacobian.cols());
   for (Eigen::Index i = 0; i < own.cols(); ++i) own.col(i) = stage.whitenFit(fit.jacobian.col(i));
   const Eigen::VectorXd rest = white - own * own.colPivHouseholderQr().solve(white);

@@ -19,12 +19,13 @@ bool isWorse(const SizeSearch::Point& a, const SizeSearch::Point& b) { return a.
 }  // namespace
 
 SizeSearch::SizeSearch(Ensemble& ensemble, const Stage& stage, const std::vector<Cause>& causes,
-                       std::size_t cause, const Effort& effort)
+                       std::size_t cause, const Effort& effort, Runs runs)
     : ensemble_(ensemble),
       stage_(stage),
       causes_(causes),
       cause_(cause),
       effort_(effort),
+      runs_(runs),
       residual_(stage.white(stage.raw())) {}
 
 SizeSearch::Point SizeSearch::from(const std::vector<double>& x) const {
@@ -34,6 +35,11 @@ SizeSearch::Point SizeSearch::from(const std::vector<double>& x) const {
   if (cause.linear && !cause.scan.empty()) best = alongBend(best);
   best = cause.linear ? shortened(best) : scanned(best);
   return best.gain > 0 ? followed(best) : best;
+}
+
+SizeSearch::Point SizeSearch::near(const std::vector<double>& x) const {
+  const Point best = at(x);
+  return best.gain > 0 && !causes_[cause_].beats ? followed(best) : best;
 }
 
 SizeSearch::Point SizeSearch::at(const std::vector<double>& x) const {
@@ -111,7 +117,11 @@ Response SizeSearch::responseTo(double size) const {
 Halves SizeSearch::changeAt(const std::vector<double>& x) const {
   CauseList with = stage_.model();
   with.push_back({cause_, x});
-  return ensemble_.halves(settingsOf(causes_, with), effort_.look_runs) - stage_.quickBase();
+  const auto settings = settingsOf(causes_, with);
+  if (runs_ == Runs::Coarse) {
+    return ensemble_.halves(settings, effort_.look_runs) - stage_.quickBase();
+  }
+  return ensemble_.roughHalves(settings, effort_.look_runs) - stage_.lookBase();
 }
 
 }  // namespace nao::validation

@@ -11,6 +11,10 @@ namespace nao::validation {
 /// cause stay as they are.
 class SizeSearch {
  public:
+  /// What simulates: coarse runs cost ten times as much as rough ones, as the neighbours' motion is
+  /// calculated for each size.
+  enum class Runs { Rough, Coarse };
+
   struct Point {
     std::vector<double> x;
     double gain = 0, scale = 0;  // [nats]; of x, that would be best if the cause were linear
@@ -18,10 +22,12 @@ class SizeSearch {
 
   /// All of it must outlive the search.
   SizeSearch(Ensemble& ensemble, const Stage& stage, const std::vector<Cause>& causes,
-             std::size_t cause, const Effort& effort);
+             std::size_t cause, const Effort& effort, Runs runs);
 
   /// The best size that is found from these numbers, as the kind of cause asks for.
   Point from(const std::vector<double>& x) const;
+  /// The best size close to these numbers.
+  Point near(const std::vector<double>& x) const;
 
  private:
   Point at(const std::vector<double>& x) const;
@@ -41,6 +47,7 @@ class SizeSearch {
   const std::vector<Cause>& causes_;
   std::size_t cause_;
   const Effort& effort_;
+  Runs runs_;
   Eigen::VectorXd residual_;
 };
 

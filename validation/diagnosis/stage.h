@@ -67,6 +67,8 @@ class Stage {
   const Eigen::VectorXd& raw() const { return raw_; }
   /// The prediction of the model by Effort::look_runs runs, to subtract from others of as many.
   const Halves& quickBase() const { return quick_base_; }
+  /// The same by rough runs.
+  const Halves& lookBase() const { return look_base_; }
   const Eigen::MatrixXd& jacobian() const { return jacobian_; }
   const std::vector<Eigen::VectorXd>& nulls() const { return nulls_; }  // raw
 
