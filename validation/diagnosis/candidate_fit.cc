@@ -12,6 +12,7 @@ namespace nao::validation {
 namespace {
 
 constexpr double kNearlyAsGood = 0.7;  // of the best start's gain: free choice
+constexpr double kKept = 0.5;          // of what rough runs promise: less, and they mislead
 
 // Finite differences as wide as the size of interest: less matters to nobody.
 double stepOf(const FreeNumber& number) {
@@ -141,7 +142,12 @@ QuickFit fitQuickly(Ensemble& ensemble, const Stage& stage, const std::vector<Ca
     return SizeSearch(ensemble, stage, causes, cause, effort, runs);
   };
   const SizeSearch::Point rough = search(SizeSearch::Runs::Rough).from(x);
-  const SizeSearch::Point best = search(SizeSearch::Runs::Coarse).near(rough.x);
+  const SizeSearch fine = search(SizeSearch::Runs::Coarse);
+  SizeSearch::Point best = fine.near(rough.x);
+  if (best.gain < kKept * rough.gain) {  // misled: neighbours matter
+    const SizeSearch::Point other = fine.from(x);
+    if (other.gain > best.gain) best = other;
+  }
   return {cause, best.x, best.gain};
 }
 

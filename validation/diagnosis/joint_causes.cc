@@ -43,6 +43,12 @@ Cause byGrid(Cause cause) {
   cause.linear = false;
   return cause;
 }
+// A stop: it does nothing until the motion reaches it, and a little further on it cuts off all.
+Cause reached(Cause cause, double inwards) {
+  cause.linear = false;
+  for (double moved = 0.02; moved < 3; moved *= 1.12) cause.scan.push_back(inwards * moved);
+  return cause;
+}
 // A delay: the start of every run is free as well, so that bends alone tell it.
 Cause late(Cause cause) {
   cause.linear = false;
@@ -127,12 +133,14 @@ void addGear(std::vector<Cause>& all) {
   all.push_back(one("cable_spring", "stiffness", {0.5, -0.3},
                     "a cable or skin pulls {joint} back with {value}",
                     "the same motion with the base turned by 90 degrees"));
-  all.push_back(byGrid(part("joint_stop", "upper", {-0.1, -0.3, -0.6},
-                            "{joint}'s upper stop is moved by {value}",
-                            "a slow approach to the stop from inside")));
-  all.push_back(byGrid(part("joint_stop", "lower", {0.1, 0.3, 0.6},
-                            "{joint}'s lower stop is moved by {value}",
-                            "a slow approach to the stop from inside")));
+  all.push_back(reached(
+      part("joint_stop", "upper", {-0.1, -0.3, -0.6}, "{joint}'s upper stop is moved by {value}",
+           "a slow approach to the stop from inside"),
+      -1));
+  all.push_back(reached(
+      part("joint_stop", "lower", {0.1, 0.3, 0.6}, "{joint}'s lower stop is moved by {value}",
+           "a slow approach to the stop from inside"),
+      1));
   for (const char* end : {"upper", "lower"}) {
     all.push_back(
         byGrid(shaped(part("coupled_stop", end, {0.5, -0.5},

@@ -12,6 +12,7 @@ constexpr double kSmallestShare = 0.03;  // of the excess misfit, less is not wo
 constexpr double kWorthFitting = 0.7;    // of the threshold: what a look must promise
 constexpr double kHopeless = 0.03;       // of the best look's gain: less never becomes the best fit
 constexpr double kClose = 0.06;          // of the best quick gain: fitted fully as well
+constexpr double kNextBest = 0.4;        // of the best gain: tried if the best may not be named
 constexpr double kExcited = 1;           // squared noise SDs of a look: else it cannot be judged
 
 double half(const Eigen::VectorXd& x) { return x.squaredNorm() / 2; }
@@ -230,8 +231,15 @@ std::optional<CrossValidation> JointSearch::validated(const Candidate& candidate
 
 bool JointSearch::accept(std::vector<Candidate> ranking) {
   weigh(*stage_, ranking);
-  for (const Candidate& candidate : ranking) {
-    if (candidate.gain <= critical() || !candidate.full) return false;
+  const double best = ranking.empty() ? 0 : ranking.front().gain;
+  int fitted = 0;
+  for (Candidate& candidate : ranking) {
+    if (candidate.gain <= critical()) return false;
+    if (!candidate.full) {  // all before it may not be named
+      if (candidate.gain < kNextBest * best || fitted++ == effort_.finalists) return false;
+      fitFinally(*stage_, candidate);
+    }
+    if (candidate.gain <= critical()) continue;
     const std::optional<CrossValidation> validation = validated(candidate);
     if (!validation) continue;
     accepted_.push_back({candidate.cause,

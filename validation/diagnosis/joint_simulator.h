@@ -57,7 +57,7 @@ class JointSimulator {
   virtual const JointSimulator& coarse() const { return *this; }
 
   /// As coarse(), but neighbours do to the joint what they would without causes, as long as these
-  /// do not act on masses: for looks at what may be worth a fit.
+  /// do not act on masses or between motor and link: for looks at what may be worth a fit.
   virtual const JointSimulator& rough() const { return coarse(); }
 
   /// The same joint without what run() approximates, ten times as slow: for what is compared with

@@ -33,13 +33,22 @@ int coarsePerRow(const RigSet& set) {
   return set.perRow() % 2 == 0 ? set.perRow() / 2 : set.perRow();
 }
 
+// Between motor and link: what the link does is not what the motor says, and no slope about the
+// motor's motion tells its load.
+bool partsLinkFromMotor(const std::string& effect) {
+  return effect == "backlash" || effect == "gear_compliance";
+}
+
 // Causes that act on the load itself.
-std::vector<EffectSetting> massesOf(const std::vector<EffectSetting>& causes,
-                                    const sim::EffectCatalogue& catalogue) {
+std::vector<EffectSetting> loadingOf(const std::vector<EffectSetting>& causes,
+                                     const sim::EffectCatalogue& catalogue) {
   std::vector<EffectSetting> kept;
   for (const EffectSetting& cause : causes) {
     const sim::EffectType* type = catalogue.find(cause.name);
-    if (type && sim::reachOf(*type) == sim::JointReach::Load) kept.push_back(cause);
+    if (type == nullptr) continue;
+    if (sim::reachOf(*type) == sim::JointReach::Load || partsLinkFromMotor(cause.name)) {
+      kept.push_back(cause);
+    }
   }
   return kept;
 }
@@ -125,7 +134,7 @@ std::shared_ptr<const sim::JointLoad> RigSimulator::loadOf(const std::vector<Eff
                                                            const JointNoise& noise) const {
   const bool drawn = loads_of_ != Loads::Quiet && noise.torque_sd > 0;
   const std::vector<EffectSetting> seen =
-      loads_of_ == Loads::OfMassOnly ? massesOf(causes, set_->catalogue()) : causes;
+      loads_of_ == Loads::OfMassOnly ? loadingOf(causes, set_->catalogue()) : causes;
   return loads_->get(motion, set_->effectsWith(seen, set_->motions()[motion]),
                      drawn ? 1 + stream % 2 : 0, noise);
 }

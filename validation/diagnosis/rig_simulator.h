@@ -89,7 +89,7 @@ class RigSimulator final : public JointSimulator {
   enum class Loads {
     Quiet,       // of runs without noise
     Drawn,       // two draws: runs of even streams have the one, of odd streams the other
-    OfMassOnly,  // drawn; causes alter it only if they are masses and the like themselves
+    OfMassOnly,  // drawn; causes alter it only if they are masses, play and the like themselves
   };
   RigSimulator(const RigSimulator& fine, Duration step, Loads of);
   std::shared_ptr<const sim::JointLoad> loadOf(const std::vector<EffectSetting>& causes,
