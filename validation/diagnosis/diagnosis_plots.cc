@@ -5,6 +5,7 @@
 
 #include "core/check.h"
 #include "sim/effects/catalogue.h"
+#include "validation/diagnosis/causes.h"
 #include "validation/diagnosis/merge_effects.h"
 
 namespace nao::validation {
@@ -13,21 +14,38 @@ namespace {
 constexpr double kDegree = M_PI / 180;
 constexpr std::size_t kMostBars = 10;
 
-EffectSetting settingOf(const Finding& finding) {
-  EffectSetting setting = neutralSetting(finding.effect, sim::standardEffects());
-  for (const FoundNumber& number : finding.numbers) {
-    setting.parameters[number.parameter] = number.value;
-  }
+EffectSetting settingOf(const std::string& effect, const std::vector<FoundNumber>& numbers) {
+  EffectSetting setting = neutralSetting(effect, sim::standardEffects());
+  for (const FoundNumber& number : numbers) setting.parameters[number.parameter] = number.value;
   return setting;
 }
 
-Eigen::VectorXd meanOf(const JointTask& task, const std::vector<EffectSetting>& causes,
-                       std::size_t motion, int runs) {
+EffectSetting settingOf(const Finding& finding) {
+  return settingOf(finding.effect, finding.numbers);
+}
+
+RunSpread simulated(const JointTask& task, const std::vector<EffectSetting>& causes,
+                    std::size_t motion, int runs) {
   std::vector<Eigen::MatrixXd> all;
   for (int r = 0; r < runs; ++r) {
     all.push_back(task.joint->run(causes, motion, static_cast<std::uint64_t>(r) + 1, task.noise));
   }
-  return spreadOf(all, 0).mean;
+  return spreadOf(all, 0);
+}
+
+// The rival of a finding that may stand in its place; null: none has numbers.
+const Rival* rivalOf(const Finding& finding) {
+  for (const Rival& rival : finding.rivals) {
+    if (!rival.numbers.empty()) return &rival;
+  }
+  return nullptr;
+}
+
+std::string effectOf(const std::string& cause) {
+  for (const Cause& one : jointCauses()) {
+    if (one.id == cause) return one.effect;
+  }
+  return "";
 }
 
 Series curve(const std::string& label, double dt, const Eigen::VectorXd& angle, Ink ink,
@@ -53,6 +71,31 @@ std::vector<EffectSetting> foundEffects(const SetDiagnosis& diagnosis, const Joi
   return effects;
 }
 
+std::pair<std::string, std::vector<EffectSetting>> rivalEffects(const SetDiagnosis& diagnosis,
+                                                                const JointVerdict& joint,
+                                                                const std::vector<Joint>& place) {
+  std::vector<EffectSetting> effects = foundEffects(diagnosis, joint, place);
+  for (std::size_t i = 0; i < joint.findings.size(); ++i) {
+    const Rival* rival = rivalOf(joint.findings[i]);
+    const std::string effect = rival ? effectOf(rival->cause) : "";
+    if (effect.empty()) continue;
+    EffectSetting& setting = effects[diagnosis.shared.size() + i];
+    setting = settingOf(effect, rival->numbers);
+    setting.joints = place;
+    return {rival->cause, effects};
+  }
+  return {};
+}
+
+void addRival(JointCourse& course, const JointTask& task, const std::string& rival,
+              const std::vector<EffectSetting>& effects, int runs) {
+  for (std::size_t m = 0; m < task.joint->measured().size(); ++m) {
+    if (task.joint->measured()[m].motion != course.motion) continue;
+    course.rival = rival;
+    course.with_rival = simulated(task, effects, m, runs).mean;
+  }
+}
+
 JointCourse worstCourse(const JointTask& task, const std::vector<EffectSetting>& found, int runs) {
   JointCourse worst;
   double largest = -1;
@@ -61,17 +104,21 @@ JointCourse worstCourse(const JointTask& task, const std::vector<EffectSetting>&
     const JointMotion& motion = task.joint->measured()[m];
     if (motion.split == Split::Test) continue;
     const RunSpread measured = spreadOf(motion.repeats, 0);
-    const Eigen::VectorXd nominal = meanOf(task, {}, m, runs);
-    const double error = (measured.mean - nominal).squaredNorm();
+    const RunSpread nominal = simulated(task, {}, m, runs);
+    const double error = (measured.mean - nominal.mean).squaredNorm();
     if (error <= largest) continue;
     largest = error;
     at = m;
     const auto repeats = static_cast<double>(motion.repeats.size());
     worst = {motion.motion, motion.dt, measured.mean,
-             nominal,       {},        (measured.variance / repeats).cwiseSqrt()};
+             nominal.mean,  {},        (measured.variance / repeats).cwiseSqrt()};
+    if (repeats > 1) {
+      worst.measured_sd = measured.variance.cwiseSqrt();
+      worst.simulated_sd = nominal.variance.cwiseSqrt();
+    }
   }
   NAO_CHECK(largest >= 0);
-  worst.extended = meanOf(task, found, at, runs);
+  worst.extended = simulated(task, found, at, runs).mean;
   return worst;
 }
 
@@ -88,7 +135,16 @@ Picture drawCourse(const JointCourse& course) {
                   curve("extended model", course.dt, course.measured - course.extended, Ink::Blue),
                   curve("noise of the mean, 2 SD", course.dt, 2 * course.floor, Ink::Thesis),
                   curve("", course.dt, -2 * course.floor, Ink::Thesis)};
-  return {"", {angle, error}, 1, 900, 520};
+  if (!course.rival.empty()) {
+    error.series.push_back(curve("with " + course.rival + " instead", course.dt,
+                                 course.measured - course.with_rival, Ink::Black, Stroke::Dashed));
+  }
+  if (course.measured_sd.size() == 0) return {"", {angle, error}, 1, 900, 520};
+  Panel spread = makePanel("Spread of runs (SD)", "time [s]", "SD [deg]");
+  spread.key = "outside";
+  spread.series = {curve("measured", course.dt, course.measured_sd, Ink::Black),
+                   curve("nominal model", course.dt, course.simulated_sd, Ink::Orange)};
+  return {"", {angle, error, spread}, 1, 900, 780};
 }
 
 Picture drawRanking(const JointVerdict& joint) {

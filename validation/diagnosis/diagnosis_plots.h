@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "validation/diagnosis/diagnose.h"
@@ -16,15 +17,28 @@ std::vector<EffectSetting> foundEffects(const SetDiagnosis& diagnosis, const Joi
 /// One joint in one motion: mean of the repeats against mean of simulated runs.
 struct JointCourse {
   std::string motion;
-  double dt = 0;                                // [s]
-  Eigen::VectorXd measured, nominal, extended;  // [rad] means
-  Eigen::VectorXd floor;                        // [rad] SD of the measured mean
+  double dt = 0;                                  // [s]
+  Eigen::VectorXd measured, nominal, extended;    // [rad] means
+  Eigen::VectorXd floor;                          // [rad] SD of the measured mean
+  Eigen::VectorXd measured_sd{}, simulated_sd{};  // [rad] of one run; empty: not known
+  std::string rival{};  // the first of a finding's rivals, in its place; empty: there is none
+  Eigen::VectorXd with_rival{};
 };
+
+/// The same with the first rival that has numbers in the place of its finding, and the rival's
+/// name; an empty name: no finding of this joint has one.
+std::pair<std::string, std::vector<EffectSetting>> rivalEffects(const SetDiagnosis& diagnosis,
+                                                                const JointVerdict& joint,
+                                                                const std::vector<Joint>& place);
 
 /// The fit or select motion in which the nominal model is furthest off, by `runs` runs each.
 JointCourse worstCourse(const JointTask& task, const std::vector<EffectSetting>& found, int runs);
+/// Adds what a rival makes of that motion.
+void addRival(JointCourse& course, const JointTask& task, const std::string& rival,
+              const std::vector<EffectSetting>& effects, int runs);
 
-/// The angle, measured and simulated; below what is left of the error, in the band of noise.
+/// The angle, measured and simulated; below what is left of the error, in the band of noise, and
+/// the spread of runs.
 Picture drawCourse(const JointCourse& course);
 
 /// What each cause explains or would have explained [nats], the largest first, and the threshold.

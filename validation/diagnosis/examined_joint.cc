@@ -8,11 +8,17 @@ namespace {
 
 constexpr int kRuns = 16;  // simulated per mean that is shown; free choice
 
-ExaminedJoint examine(const JointTask& task, const std::vector<EffectSetting>& found) {
+ExaminedJoint examine(const JointTask& task, const SetDiagnosis& diagnosis,
+                      const JointVerdict& verdict) {
   const std::vector<Split> seen{Split::Fit, Split::Select};
-  return {replayJoint(*task.joint, {}, task.noise, kRuns, seen),
-          replayJoint(*task.joint, found, task.noise, kRuns, seen),
-          worstCourse(task, found, kRuns)};
+  const std::vector<Joint> place = task.joint->place();
+  const auto found = foundEffects(diagnosis, verdict, place);
+  ExaminedJoint examined{replayJoint(*task.joint, {}, task.noise, kRuns, seen),
+                         replayJoint(*task.joint, found, task.noise, kRuns, seen),
+                         worstCourse(task, found, kRuns)};
+  const auto [rival, effects] = rivalEffects(diagnosis, verdict, place);
+  if (!rival.empty()) addRival(examined.course, task, rival, effects, kRuns);
+  return examined;
 }
 
 }  // namespace
@@ -25,7 +31,7 @@ std::vector<ExaminedJoint> examineJoints(const SetDiagnosis& diagnosis,
       askAll(*options.team, "examined", tasks.size(), options.jobs, [&](std::size_t j) {
         const JointVerdict& verdict = diagnosis.joints[j];
         return options.kept.remember(verdict.joint + ".examined", [&] {
-          return pack(examine(tasks[j], foundEffects(diagnosis, verdict, tasks[j].joint->place())));
+          return pack(examine(tasks[j], diagnosis, verdict));
         });
       });
   std::vector<ExaminedJoint> joints;

@@ -44,7 +44,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FoldErrors, held_out)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FoldDiagnosis, verdict, folds, before, after, fitted)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(JointReplay, joint, rmse, mae, floor, misfit, share, real_sd,
                                    simulated_sd, noise_free_rmse)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(JointCourse, motion, dt, measured, nominal, extended, floor)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(JointCourse, motion, dt, measured, nominal, extended, floor,
+                                   measured_sd, simulated_sd, rival, with_rival)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ExaminedJoint, before, after, course)
 
 namespace {
