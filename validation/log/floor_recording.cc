@@ -20,7 +20,8 @@ class FloorRun {
  public:
   FloorRun(const FloorPlan& plan, const std::shared_ptr<const RobotModel>& robot,
            std::uint64_t seed)
-      : robot_(*robot),
+      : plan_(plan),
+        robot_(*robot),
         simulation_(std::make_shared<WorldModel>(), {{robot->name, robot, {}}},
                     optionsOf(plan, seed)) {}
 
@@ -38,6 +39,8 @@ class FloorRun {
   static sim::WorldOptions optionsOf(const FloorPlan& plan, std::uint64_t seed) {
     sim::WorldOptions options(plan.step);
     options.seed = seed;
+    options.effects = plan.effects;
+    options.any_step = true;
     return options;
   }
 
@@ -55,6 +58,8 @@ class FloorRun {
   }
 
   motion::MotionAction actionOf(const FloorMotion& motion) const {
+    const auto other = plan_.actions.find(motion.name);
+    if (other != plan_.actions.end()) return other->second;
     if (motion.walk) return motion::MoveTo{*motion.walk, {}, {}};
     motion::Interpolate request;
     for (std::size_t j = 0; j < robot_.jointCount(); ++j) {
@@ -69,6 +74,7 @@ class FloorRun {
     return request;
   }
 
+  const FloorPlan& plan_;
   const RobotModel& robot_;
   runtime::Simulation simulation_;
   motion::RequestId last_id_ = 0;
