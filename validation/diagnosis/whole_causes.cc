@@ -13,6 +13,11 @@ constexpr double kFar = 1e9;  // of a parameter whose neutral value is as good a
 // Starts of a cause that are looked at: a whole robot costs more than a joint. Free choices.
 constexpr std::size_t kStartsEverywhere = 3, kStartsSomewhere = 2;
 
+// Of a stop that moves with another joint: a hull's edges, from flat to steep, where either joint
+// of an ankle may meet them. A look elsewhere meets nothing, or all of the motion.
+const std::vector<double> kSlopes{0.4, -0.4, 1.5, -1.5};          // [rad/rad]
+const std::vector<double> kEdges{0, -0.3, -0.6, -0.9, 0.3, 0.6};  // [rad]
+
 using Ids = std::vector<const char*>;
 
 // What one number for all joints can be wrong about.
@@ -27,8 +32,8 @@ const Ids kSide{"coulomb_friction", "viscous_friction", "torque_limit",   "kp_er
 const Ids kLegJoint{"encoder_offset", "kp_error",       "coulomb_friction", "backlash",
                     "torque_limit",   "servo_deadband", "viscous_friction"};
 const Ids kArmJoint{"encoder_offset", "kp_error", "coulomb_friction"};
-const Ids kStops{"coupled_stop.upper", "coupled_stop.lower", "joint_stop.upper",
-                 "joint_stop.lower"};
+const Ids kHull{"coupled_stop.upper", "coupled_stop.lower"};
+const Ids kStops{"joint_stop.upper", "joint_stop.lower"};
 
 const Cause* find(const std::string& id) {
   const auto& all = jointCauses();
@@ -71,7 +76,13 @@ class Builder {
   void add(const Cause& cause, const std::string& place, const std::vector<Joint>& joints) {
     const std::vector<Joint>& acting = joints.empty() ? measured_ : joints;
     all_.push_back({bounded(cause, model_, acting), place, joints});
-    std::vector<double>& starts = all_.back().cause.free[0].starts;
+    std::vector<FreeNumber>& numbers = all_.back().cause.free;
+    if (cause.coupled) {
+      numbers[0].starts = kSlopes;
+      numbers[1].starts = kEdges;
+      return;
+    }
+    std::vector<double>& starts = numbers[0].starts;
     const std::size_t most = joints.empty() ? kStartsEverywhere : kStartsSomewhere;
     if (starts.size() > most) starts.resize(most);
   }
@@ -138,6 +149,20 @@ std::vector<Joint> among(const std::vector<Joint>& some, const std::vector<Joint
 
 bool isLeg(const std::string& limb) { return limb.find("Leg") != std::string::npos; }
 
+// Shells leave these less room the more the joint is bent that they hang on.
+std::vector<Joint> hulled(const RobotModel& model, const std::vector<Joint>& joints) {
+  std::vector<Joint> some;
+  for (const Joint joint : joints) {
+    const std::string& name = model.actuators[index(joint)].name;
+    const bool limited =
+        std::any_of(model.coupled_limits.begin(), model.coupled_limits.end(),
+                    [&](const CoupledLimit& limit) { return limit.limited == joint; });
+    const bool ankle = name.find("AnkleRoll") != std::string::npos;
+    if (limited || ankle || name == "HeadPitch") some.push_back(joint);
+  }
+  return some;
+}
+
 // What hangs on the chain, all links at once: their mass and, by axis, where it is.
 void addBaseParameters(Builder& builder, const std::string& limb,
                        const std::vector<Joint>& joints) {
@@ -184,6 +209,7 @@ std::vector<PlacedCause> robotCauses(const RobotModel& model, const std::vector<
     const std::vector<Joint> joints = jointsOf(model, limb, measured);
     if (isLeg(limb)) builder.add(kSide, limb, joints);
     builder.addJoints(isLeg(limb) ? kLegJoint : kArmJoint, joints);
+    if (isLeg(limb)) builder.addJoints(kHull, hulled(model, joints));
     builder.endLimb();
   }
   return builder.take();
@@ -194,6 +220,7 @@ std::vector<PlacedCause> limbCauses(const RobotModel& model, const std::string& 
   Builder builder(model, measured);
   const std::vector<Joint> joints = jointsOf(model, limb, measured);
   addBaseParameters(builder, limb, joints);
+  builder.addJoints(kHull, hulled(model, joints));
   builder.addJoints(kStops, joints);
   builder.addJoints(kLegJoint, joints);
   builder.add({"kp_error", "coulomb_friction", "torque_limit", "command_latency", "command_hold",

@@ -96,12 +96,20 @@ PlacedFinding WholeSearch::finding(std::size_t place, const Eigen::MatrixXd& dra
   found.folds = accepted.folds;
   found.folds_better = accepted.folds_better;
   found.held_out_gain = accepted.held_out;
-  found.one_motion_only = accepted.folds == 0;
+  found.one_motion_only = accepted.folds == 0 || isOfOneMotion();
   found.small = std::abs(chosen.x[0]) < cause.cause.free[0].smallest;
   found.rivals = accepted.rivals;
   found.sentence = cause.sentence(valueText(found.numbers[0]));
   found.experiment = cause.cause.separate;
   return {found, cause.place};
+}
+
+// What is held back are then runs of the motion that was fitted.
+bool WholeSearch::isOfOneMotion() const {
+  const auto& blocks = task_.data->simulator().blocks();
+  return std::all_of(blocks.begin(), blocks.end(), [&](const WholeBlock& block) {
+    return block.motion == blocks.front().motion;
+  });
 }
 
 std::string WholeSearch::labelOf(std::size_t cause, const std::string& beside) const {

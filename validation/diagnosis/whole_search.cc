@@ -20,6 +20,12 @@ constexpr double kLeastShare = 0.03;
 // 99 % of chi-square with one degree of freedom, maximised over about ten independent looks, half:
 // what the threshold would be if the noise were white [nats].
 constexpr double kWhiteThreshold = 6;
+// Of a look at a rough cause: sizes at which it is tried, and how many looks of one cause are.
+constexpr double kSizes[] = {0.35, 0.5, 0.7, 1, 1.4};
+constexpr std::size_t kMostLooks = 6;
+// Of what was wrong at first, that a further cause must explain at least: a replay renders a gross
+// effect to about a tenth, which leaves a hundredth of its misfit to causes that are none.
+constexpr double kLeastOfAll = 0.02;
 
 // All numbers of a model in one row, and back.
 std::vector<double> flat(const WholeModel& model) {
@@ -108,16 +114,42 @@ WholeSearch::Fit WholeSearch::fitModel(const WholeModel& start) const {
   return {withNumbers(start, point.x), point.residual, {}, point.cost};
 }
 
-// From where the look would be best, or from where it was taken, whichever is nearer.
+// Where the fit of a cause may begin: where its best look would be best, and where it was taken. A
+// rough cause does nothing below some size and everything beyond another (a stop that is not
+// reached, a floor that still holds): all of its looks that promise something, at several sizes.
+std::vector<WholeChosen> WholeSearch::beginningsOf(const WholeLook& look, double scale) const {
+  std::vector<WholeChosen> all{{look.cause, look.x}, {look.cause, look.x}};
+  all.front().x[0] *= scale;
+  if (placed(look.cause).cause.linear) return all;
+  const Eigen::VectorXd white = stage_->white(stage_->raw());
+  std::vector<std::pair<double, const WholeLook*>> promising;
+  for (const WholeLook& other : stage_->looks()) {
+    if (other.cause == look.cause) promising.push_back({WholeStage::gain(other, white), &other});
+  }
+  std::stable_sort(promising.begin(), promising.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  if (promising.size() > kMostLooks) promising.resize(kMostLooks);
+  for (const auto& [gain, other] : promising) {
+    for (const double part : kSizes) {
+      all.push_back({other->cause, other->x});
+      all.back().x[0] *= part;
+    }
+  }
+  return all;
+}
+
 WholeSearch::Fit WholeSearch::fitFrom(const WholeLook& look, double scale) const {
-  WholeModel scaled = fit_.model, taken = fit_.model;
-  taken.push_back({look.cause, look.x});
-  scaled.push_back({look.cause, look.x});
-  scaled.back().x[0] *= scale;
-  const auto costOf = [&](const WholeModel& model) {
-    return stage_->whitenFit(simulatedResidual(model, true)).squaredNorm();
-  };
-  return fitModel(costOf(scaled) <= costOf(taken) ? scaled : taken);
+  WholeModel best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const WholeChosen& beginning : beginningsOf(look, scale)) {
+    WholeModel model = fit_.model;
+    model.push_back(beginning);
+    const double cost = stage_->whitenFit(simulatedResidual(model, true)).squaredNorm();
+    if (cost >= least) continue;
+    least = cost;
+    best = std::move(model);
+  }
+  return fitModel(best);
 }
 
 std::vector<WholeSearch::Candidate> WholeSearch::rank() {
@@ -188,6 +220,7 @@ bool WholeSearch::accept(const std::vector<Candidate>& ranking) {
       }
     }
     accepted_.push_back(accepted);
+    gained_ += candidate.gain;
     Fit next = candidate.fit;
     next.jacobian = jacobianOf(next.model);
     enter(next);
@@ -233,6 +266,7 @@ std::string WholeSearch::objection(const Candidate& candidate, double held_out) 
   if (held_out <= 0) return "does not predict the motions held back";
   const double excess = fit_.cost - static_cast<double>(fit_.residual.size()) / 4;
   if (excess > 0 && candidate.gain < kLeastShare * excess) return "explains too little";
+  if (candidate.gain < kLeastOfAll * gained_) return "explains little beside what was found";
   return "";
 }
 

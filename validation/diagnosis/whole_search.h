@@ -64,6 +64,7 @@ class WholeSearch {
   bool swapOne(std::size_t place);
   void judge(WholeVerdict& verdict) const;
   void describe(WholeVerdict& verdict) const;
+  bool isOfOneMotion() const;
   PlacedFinding finding(std::size_t place, const Eigen::MatrixXd& draws) const;
   Eigen::MatrixXd drawNumbers() const;
   std::string signature() const;
@@ -71,6 +72,7 @@ class WholeSearch {
   Eigen::VectorXd simulatedResidual(const WholeModel& model, bool fit_only) const;
   Fit fitModel(const WholeModel& start) const;
   Eigen::MatrixXd jacobianOf(const WholeModel& model) const;
+  std::vector<WholeChosen> beginningsOf(const WholeLook& look, double scale) const;
   Fit fitFrom(const WholeLook& look, double scale) const;
   std::vector<Rival> rivalsOf(const std::vector<Candidate>& ranking, const Candidate& best) const;
   const PlacedCause& placed(std::size_t cause) const { return (*task_.causes)[cause]; }
@@ -85,6 +87,7 @@ class WholeSearch {
   Fit fit_;  // of the model
   double critical_ = 0, spread_of_gain_ = 1;
   double misfit_before_ = 0;
+  double gained_ = 0;  // [nats] by the causes accepted so far
   struct Accepted {
     double gain = 0, share = 0, held_out = 0;
     int folds = 0, folds_better = 0;

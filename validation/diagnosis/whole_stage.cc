@@ -113,14 +113,7 @@ void WholeStage::lookAtAll() {
       if (needsStart(cause, start)) orders.push_back({c, start});
     }
   }
-  // The first runs of the pool: the streams that a look has too.
-  std::vector<Eigen::VectorXd> base(task_.data->runs());
-  const WholePool first = task_.data->simulate(
-      settingsOf(*task_.causes, model_), 1, static_cast<std::size_t>(task_.effort.look_runs), true,
-      number(WholeStream::Base), task_.noise, task_.jobs);
-  for (std::size_t run = 0; run < base.size(); ++run) {
-    if (!first[run].empty()) base[run] = first[run].front();
-  }
+  const std::vector<Eigen::VectorXd> base = firstRuns();
   // What the budget does not pay for is told, not left out in silence.
   const long each = static_cast<long>(task_.effort.look_runs) *
                     static_cast<long>(task_.data->simulator().blocks().size());
@@ -141,10 +134,29 @@ bool WholeStage::inModel(std::size_t cause) const {
                      [&](const WholeChosen& one) { return one.cause == cause; });
 }
 
+// What equal robots differ by shows otherwise beside a gross cause (on a slippery floor): these
+// looks are taken anew.
 void WholeStage::takeLooks(const WholeStage& before) {
   for (const WholeLook& look : before.looks_) {
     if (!inModel(look.cause)) looks_.push_back(look);
   }
+  const std::vector<Eigen::VectorXd> base = firstRuns();
+  inParallel(looks_.size(), task_.jobs, [&](std::size_t i) {
+    const WholeLook old = looks_[i];
+    if ((*task_.causes)[old.cause].cause.spread > 0) looks_[i] = look(old.cause, old.x, base);
+  });
+}
+
+// The first runs of the pool: the streams that a look has too.
+std::vector<Eigen::VectorXd> WholeStage::firstRuns() const {
+  std::vector<Eigen::VectorXd> base(task_.data->runs());
+  const WholePool first = task_.data->simulate(
+      settingsOf(*task_.causes, model_), 1, static_cast<std::size_t>(task_.effort.look_runs), true,
+      number(WholeStream::Base), task_.noise, task_.jobs);
+  for (std::size_t run = 0; run < base.size(); ++run) {
+    if (!first[run].empty()) base[run] = first[run].front();
+  }
+  return base;
 }
 
 void WholeStage::gatherUndeclared() {

@@ -72,6 +72,7 @@ class WholeStage {
 
  private:
   void lookAtAll();
+  std::vector<Eigen::VectorXd> firstRuns() const;
   void takeLooks(const WholeStage& before);
   void gatherUndeclared();
   bool inModel(std::size_t cause) const;
