@@ -101,6 +101,22 @@ void addStranger(const Json& score, Figures& f) {
   f.signature_in_first_two += score.at("signature_right").get<bool>();
 }
 
+void addToLevel(const Json& line, LevelFigures& level) {
+  const Json& score = line.at("score");
+  const std::string kind = line.at("truth").at("kind");
+  ++level.diagnoses;
+  level.cpu += line.at("cpu_s").get<double>();
+  if (kind == "exact_null" || kind == "near_null") {
+    ++level.nulls;
+    level.false_alarms += score.at("false_alarm").get<bool>();
+  }
+  if (kind == "single") {
+    ++level.singles;
+    level.exact += score.at("exact").get<bool>();
+    level.named_wrong += score.at("named_wrong").get<bool>();
+  }
+}
+
 void addLine(const Json& line, Figures& f, Lists& lists) {
   if (line.contains("skipped")) {
     ++f.skipped;
@@ -110,6 +126,7 @@ void addLine(const Json& line, Figures& f, Lists& lists) {
   const Json& score = line.at("score");
   const std::string kind = line.at("truth").at("kind");
   const std::string said = line.at("said");
+  addToLevel(line, f.levels[line.at("truth").value("level", "joint")]);
   ++f.diagnoses;
   f.wall += line.at("wall_s").get<double>();
   f.cpu += line.at("cpu_s").get<double>();
@@ -153,6 +170,29 @@ std::string row(const char* name, double value, const char* unit) {
   char text[160];
   std::snprintf(text, sizeof text, "%-44s %8.3g %s\n", name, value, unit);
   return text;
+}
+
+std::string rowsOf(const std::string& name, const LevelFigures& level) {
+  std::string text =
+      row((name + " level, nulls: false alarms").c_str(), {level.false_alarms, level.nulls});
+  text += row("  singles: exact", {level.exact, level.singles});
+  text += row("  singles: named alone and wrong", {level.named_wrong, level.singles});
+  text += row("  processor time, mean", level.cpu / std::max(1, level.diagnoses), "s");
+  return text;
+}
+
+Json toJson(const std::map<std::string, LevelFigures>& levels) {
+  Json json = Json::object();
+  for (const auto& [name, level] : levels) {
+    json[name] = {{"nulls", level.nulls},
+                  {"false_alarms", level.false_alarms},
+                  {"singles", level.singles},
+                  {"exact", level.exact},
+                  {"named_wrong", level.named_wrong},
+                  {"diagnoses", level.diagnoses},
+                  {"cpu_s", level.cpu}};
+  }
+  return json;
 }
 
 bool isWrong(const std::string& kind, const Json& score) {
@@ -220,6 +260,9 @@ std::string toText(const Figures& f) {
   text += row("excess test error removed, median", 100 * f.excess_error_removed_median, "%");
   text += row("test RMSE within 1.3 times the floor", {f.within_1_3_floor, f.gains});
   text += row("processor time of a diagnosis, mean", f.cpu / std::max(1, f.diagnoses), "s");
+  if (f.levels.size() > 1) {
+    for (const auto& [name, level] : f.levels) text += rowsOf(name, level);
+  }
   if (f.skipped > 0) text += row("sets that could not be made as wished", f.skipped, "");
   if (f.imitated > 0) text += row("  of which strangers that a cause imitates", f.imitated, "");
   if (f.failed > 0) text += row("diagnoses that failed", f.failed, "");
@@ -273,6 +316,7 @@ std::string toJson(const Figures& f, const std::string& preset, double wall) {
                      {"skipped", f.skipped},
                      {"failed", f.failed},
                      {"unfinished", f.unfinished},
+                     {"levels", toJson(f.levels)},
                      {"wall_s", wall}};
   return json.dump(2);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,12 @@ struct Fraction {
   double value() const { return of == 0 ? 0 : static_cast<double>(count) / of; }
   double low() const;
   double high() const;
+};
+
+/// The nulls and singles of one level of the diagnosis, which the totals hold too.
+struct LevelFigures {
+  int nulls = 0, false_alarms = 0, singles = 0, exact = 0, named_wrong = 0, diagnoses = 0;
+  double cpu = 0;  // [s]
 };
 
 /// What the lines of results.jsonl come to.
@@ -34,7 +41,8 @@ struct Figures {
   int gains = 0, within_1_3_floor = 0;
   double set_size_mean = 0, parameter_error_median = 0, parameter_error_p90 = 0,
          excess_error_removed_median = 0;
-  double wall = 0, cpu = 0;  // [s] of all diagnoses
+  double wall = 0, cpu = 0;                    // [s] of all diagnoses
+  std::map<std::string, LevelFigures> levels;  // "joint", "limb", "robot"
 };
 
 /// @throws InputError for a line that is none.

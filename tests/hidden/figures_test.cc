@@ -19,5 +19,28 @@ TEST(Figures, NothingDoneIsNothingFound) {
   EXPECT_NE(toJson(figures, "quick", 0).find("\"exact_null_false_alarms\": 0"), std::string::npos);
 }
 
+// Lines as runTrial() writes them, as far as figures read them.
+std::string line(const std::string& kind, const std::string& level, const std::string& score) {
+  return R"({"name":"a","cpu_s":3,"wall_s":4,"said":"named","truth":{"kind":")" + kind +
+         R"(","level":")" + level +
+         R"(","hidden":[{"look_alikes":[],"law":"payload"}]},"score":{"exact":true,"named_wrong":)" +
+         R"(false,"truth_in_set":true,"ambiguous":false,"unknown":false,"look_alike":false,)" +
+         R"("set_size":1,"numbers":[],"said_unknown":false,)" + score + "}}";
+}
+
+TEST(Figures, CountsLevelsApartAndTogether) {
+  const Figures figures = figuresOf({line("single", "robot", R"("false_alarm":true)"),
+                                     line("near_null", "robot", R"("false_alarm":true)"),
+                                     line("single", "joint", R"("false_alarm":true)")});
+  EXPECT_EQ(figures.singles, 2);
+  EXPECT_EQ(figures.levels.at("robot").singles, 1);
+  EXPECT_EQ(figures.levels.at("robot").exact, 1);
+  EXPECT_EQ(figures.levels.at("robot").nulls, 1);
+  EXPECT_EQ(figures.levels.at("robot").false_alarms, 1);
+  EXPECT_EQ(figures.levels.at("robot").cpu, 6);
+  EXPECT_EQ(figures.levels.at("joint").nulls, 0);
+  EXPECT_NE(toText(figures).find("robot level"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace nao::hidden

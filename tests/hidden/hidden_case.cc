@@ -58,6 +58,13 @@ bool HiddenCase::isExactNull() const {
   return kind == Kind::ExactNull || kind == Kind::MujocoExactNull;
 }
 
+std::string HiddenCase::robot() const {
+  for (const Wish& wish : wishes) {
+    if (wish.hideout.law == "hidden_ankle_hull") return "nao_h21_v33_no_hull";
+  }
+  return "nao_h21_v33";
+}
+
 std::string HiddenCase::name() const {
   constexpr char kSigns[] = "abcdefghijkmnpqrstuvwxyz23456789";
   Random random(seed, "name of a hidden set");
@@ -84,6 +91,8 @@ std::string toJson(const Truth& truth) {
   }
   const Json all = {{"name", truth.name},
                     {"kind", nameOf(truth.kind)},
+                    {"level", truth.level},
+                    {"scene", truth.scene},
                     {"joints", truth.joints},
                     {"hidden", hidden},
                     {"spoilt", faultOf(truth.spoil)},

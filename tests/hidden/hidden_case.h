@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/hidden/hideout.h"
+#include "tests/hidden/scene.h"
 
 namespace nao::hidden {
 
@@ -49,15 +50,17 @@ struct HiddenCase {
   std::vector<Wish> spares;
   Spoil spoil = Spoil::None;
   int repeats = 6;
-  double seconds = 6;      // of each motion
+  double seconds = 6;  // of each motion
   /// Recorded from the limbs that hold the joints alone: a held torso passes nothing on from limb
   /// to limb. For tests that must be quick; presets that are judged record the whole robot.
   bool limbs = false;
+  std::string level = "joint";  // of the diagnosis
+  Scene scene = Scene::HungUp;
 
   bool isMujoco() const;     // its reality is MuJoCo
   bool isExactNull() const;  // not even undeclared differences
   /// The nominal model, of robots/.
-  std::string robot() const { return "nao_h21_v33"; }
+  std::string robot() const;
   /// 16 letters and digits that say nothing.
   std::string name() const;
 };
@@ -66,7 +69,7 @@ struct HiddenCase {
 struct HiddenTruth {
   std::string cause;  // empty: a stranger
   std::string law, parameter;
-  std::string joint;  // empty: all
+  std::string joint;  // or a limb, or "robot"; empty: all
   double value = 0;   // of the parameter
   double deviation = 0;
   double size = 0;  // [SD of the measured mean] reached
@@ -82,11 +85,14 @@ struct HiddenTruth {
 struct Truth {
   std::string name;
   Kind kind = Kind::ExactNull;
+  std::string level = "joint";  // of the diagnosis
+  std::string scene = "hung_up";
   std::vector<std::string> joints;
   std::vector<HiddenTruth> hidden;
   Spoil spoil = Spoil::None;
   double torque_sd = 0, torque_time = 0, start_sd = 0;  // [N m], [s], [s]
   bool imitated = false;  // a stranger that an entry of the catalogue imitates: not to be judged
+  bool fell = false;      // in a run that was recorded
   std::string shortfall;  // why a wished size could not be reached; empty: it was
 };
 

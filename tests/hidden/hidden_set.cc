@@ -9,6 +9,7 @@
 #include "tests/hidden/look_alikes.h"
 #include "tests/hidden/mujoco/recording.h"
 #include "tests/hidden/response.h"
+#include "tests/hidden/scaling.h"
 #include "validation/diagnosis/merge_effects.h"
 #include "validation/log/simulated_recording.h"
 #include "validation/suspended.h"
@@ -20,13 +21,10 @@ using validation::LogSet;
 using validation::RecordedMotion;
 using validation::RecordingPlan;
 
-constexpr int kMostScalings = 8;
-constexpr int kSampleRuns = 4;        // so that an encoder's counts average out
-constexpr double kCloseEnough = 0.2;  // of the wished size
-constexpr double kAlike = 1.5;        // [SD of the measured mean] apart: no data tells such causes
-constexpr double kPairApart = 3;      // the same of the two effects of a pair
-constexpr double kImitated = 3;       // the same of strangers: they must leave something unknown
-constexpr double kGrowth = 3;         // of a deviation in one scaling
+constexpr int kSampleRuns = 4;    // so that an encoder's counts average out
+constexpr double kAlike = 1.5;    // [SD of the measured mean] apart: no data tells such causes
+constexpr double kPairApart = 3;  // the same of the two effects of a pair
+constexpr double kImitated = 3;   // the same of strangers: they must leave something unknown
 
 // The standard motions of these joints alone.
 std::vector<RecordedMotion> motionsOf(const std::shared_ptr<const RobotModel>& model,
@@ -42,6 +40,7 @@ RecordingPlan limbOf(const RecordingPlan& plan) {
   RecordingPlan limb = plan;
   const auto cut = std::make_shared<RobotModel>(
       validation::cutLimbs(validation::stripped(*plan.model), plan.joints));
+  cut->groups = plan.model->groups;
   limb.model = cut;
   for (RecordedMotion& motion : limb.motions) {
     motion.angles = [whole = plan.model, cut, all = motion.angles](double t) {
@@ -74,6 +73,7 @@ class Maker {
     Random random(hidden.seed, "noise");
     truth_.name = hidden.name();
     truth_.kind = hidden.kind;
+    truth_.level = hidden.level;
     truth_.joints = hidden.joints;
     truth_.spoil = hidden.spoil;
     truth_.torque_sd = random.uniform(0.02, 0.045);
@@ -126,7 +126,8 @@ class Maker {
     const LogSet with = sample({effect});
     double most = 0;
     for (const std::string& joint : hidden_.joints) {
-      if (!hideout.whole_robot && joint != hidden_.joints.front()) continue;
+      const bool its_own = hidden_.level == "joint" && !hideout.whole_robot;
+      if (its_own && joint != hidden_.joints.front()) continue;
       const Repeats change = less(repeatsOf(with, joint), repeatsOf(without(), joint));
       most = std::max(most, rmsWhereActing(change) / meanSd(joint));
     }
@@ -145,27 +146,15 @@ class Maker {
 
   void hide(const Wish& wish) {
     const Hideout& hideout = wish.hideout;
-    const std::string& joint = hidden_.joints.front();
+    const std::string joint = placeOf(hideout);
     const double sign = hideout.start < 0 ? -1 : 1;
-    double deviation = std::abs(hideout.start), size = 0;
-    const double least = std::max(hideout.least, 1e-9), most = std::abs(hideout.most);
-    double below = 0, above = 0;  // deviations that were too small and too large
-    for (int i = 0; i < kMostScalings; ++i) {
-      deviation = std::clamp(deviation, least, most);
-      size = sizeOf(settingAt(hideout, sign * deviation, *limb_.model, joint), hideout);
-      const double ratio = wish.size / std::max(size, 1e-3);
-      if (std::abs(ratio - 1) < kCloseEnough) break;
-      if ((deviation >= most && ratio > 1) || (deviation <= least && ratio < 1)) break;
-      (ratio > 1 ? below : above) = deviation;
-      if (i + 1 == kMostScalings) break;
-      const bool between = below > 0 && above > 0;
-      deviation =
-          between ? std::sqrt(below * above) : deviation * std::clamp(ratio, 1 / kGrowth, kGrowth);
-    }
+    const auto [deviation, size] = scaleTo(wish, [&](double one) {
+      return sizeOf(settingAt(hideout, sign * one, *limb_.model, joint), hideout);
+    });
     const EffectSetting setting = settingAt(hideout, sign * deviation, *plan_.model, joint);
     const EffectSetting in_limb = settingAt(hideout, sign * deviation, *limb_.model, joint);
     note(wish, setting, sign * deviation, size);
-    if (truth_.shortfall.empty()) compare(hideout, in_limb);
+    if (truth_.shortfall.empty() && hidden_.level == "joint") compare(hideout, in_limb);
     plan_.extra.push_back(setting);
     limb_.extra.push_back(in_limb);
     without_ = {};
@@ -176,6 +165,10 @@ class Maker {
     return std::any_of(hidden_.wishes.begin(), hidden_.wishes.end(), [&](const Wish& wish) {
       return wish.hideout.cause != hideout.cause && looksAlike(wish.hideout.cause, cause);
     });
+  }
+
+  std::string placeOf(const Hideout& hideout) const {
+    return hideout.places.empty() ? hidden_.joints.front() : drawnPlace(hideout, hidden_.seed);
   }
 
   // Lists beforehand which entries of the catalogue look as what was just noted. Everything looks
@@ -216,7 +209,7 @@ class Maker {
     one.cause = hideout.cause;
     one.law = hideout.law;
     one.parameter = hideout.parameter;
-    if (!hideout.whole_robot) one.joint = hidden_.joints.front();
+    if (!hideout.whole_robot) one.joint = placeOf(hideout);
     one.value = setting.parameters.at(hideout.parameter);
     one.deviation = deviation - replaced(hideout);
     one.size = size;
@@ -239,6 +232,7 @@ class Maker {
 }  // namespace
 
 HiddenSet makeHiddenSet(const HiddenCase& hidden, std::shared_ptr<const RobotModel> model) {
+  if (hidden.scene != Scene::HungUp) return makeFloorSet(hidden, model);
   return Maker(hidden, model).make();
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "sim/effects/catalogue.h"
 #include "tests/hidden/preset.h"
@@ -100,6 +101,34 @@ TEST(Preset, TakesAThirdOfItsSinglesFromOtherLawsAndShuffles) {
   EXPECT_EQ(cases.size(), 300u);
   EXPECT_FALSE(sorted);
   EXPECT_GT(3 * own, singles);
+}
+
+TEST(Preset, HoldsSetsOfEveryLevel) {
+  for (const char* preset : {"quick", "standard", "full"}) {
+    std::map<std::string, int> sets;
+    for (const HiddenCase& one : makeCases(countsOf(preset), 5)) ++sets[one.level];
+    EXPECT_GE(sets["joint"], 10) << preset;
+    EXPECT_GE(sets["limb"], 1) << preset;
+    EXPECT_GE(sets["robot"], 1) << preset;
+  }
+}
+
+TEST(FloorSet, IsOfOneMotionAndItsLastRunsAreHeldBack) {
+  HiddenCase hidden;
+  hidden.kind = Kind::NearNull;
+  hidden.scene = Scene::Walk;
+  hidden.repeats = 5;
+  const auto model = test::robot("nao_h21_v33");
+  const HiddenSet made = makeHiddenSet(hidden, model);
+  ASSERT_EQ(made.set.runs.size(), 5u);
+  EXPECT_EQ(made.set.runs[2].split, validation::Split::Fit);
+  EXPECT_EQ(made.set.runs[3].split, validation::Split::Select);
+  EXPECT_EQ(made.set.runs[4].split, validation::Split::Test);
+  EXPECT_EQ(made.set.name, hidden.name());
+  EXPECT_FALSE(made.truth.fell);
+  const validation::Column& x = made.set.runs[0].columns.at("gt.base.x");
+  EXPECT_NEAR(x.back() - x.front(), 0.4, 0.05);  // 0.095 m/s, less the first steps
+  EXPECT_NE(x, made.set.runs[1].columns.at("gt.base.x"));
 }
 
 TEST(Preset, KnowsTenCausesThatNoCatalogueHas) { EXPECT_GE(strangerHideouts().size(), 10u); }

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <set>
 
 #include "core/check.h"
@@ -18,11 +19,19 @@ struct Arguments {
   int n = 1;
   std::uint64_t seed = 1;
   double size = 8;
+  std::optional<double> value;
+  std::string scene = "hung_up", level = "joint";
   int repeats = 6;
   std::string folder, robots_dir = NAO_SOURCE_DIR "/robots";
 };
 
-std::vector<Hideout> allHideouts() {
+std::vector<Hideout> allHideouts(const Arguments& arguments) {
+  if (arguments.scene != "hung_up") {
+    std::vector<Hideout> all = robotHideouts();
+    all.push_back(hullHideout());
+    return all;
+  }
+  if (arguments.level == "limb") return limbHideouts();
   std::vector<Hideout> all = catalogueHideouts();
   for (const auto& more : {likenessHideouts(), strangerHideouts()}) {
     all.insert(all.end(), more.begin(), more.end());
@@ -35,12 +44,18 @@ bool is(const Hideout& hideout, const std::string& name) {
   return hideout.cause == name || hideout.law == name;
 }
 
-std::vector<Hideout> waysOf(const std::string& name) {
+// As large as the user says, where that is given.
+Hideout asAsked(Hideout hideout, const Arguments& arguments) {
+  if (arguments.value) hideout.start = hideout.most = *arguments.value;
+  return hideout;
+}
+
+std::vector<Hideout> waysOf(const Arguments& arguments, const std::string& name) {
   std::vector<Hideout> ways;
   std::set<std::string> known;
-  for (const Hideout& hideout : allHideouts()) {
+  for (const Hideout& hideout : allHideouts(arguments)) {
     known.insert(hideout.cause.empty() ? hideout.law : hideout.cause);
-    if (is(hideout, name)) ways.push_back(hideout);
+    if (is(hideout, name)) ways.push_back(asAsked(hideout, arguments));
   }
   if (!ways.empty()) return ways;
   std::string list;
@@ -52,7 +67,10 @@ std::vector<Hideout> waysOf(const std::string& name) {
 std::vector<Wish> wishesOf(const Arguments& arguments, Random& random) {
   std::vector<std::string> names = arguments.effects;
   if (names.empty()) {
-    for (const Hideout& hideout : catalogueHideouts()) names.push_back(hideout.cause);
+    const bool hung_up = arguments.scene == "hung_up" && arguments.level == "joint";
+    for (const Hideout& hideout : hung_up ? catalogueHideouts() : allHideouts(arguments)) {
+      names.push_back(hideout.cause);
+    }
     std::sort(names.begin(), names.end());
     names.erase(std::unique(names.begin(), names.end()), names.end());
   }
@@ -66,7 +84,7 @@ std::vector<Wish> wishesOf(const Arguments& arguments, Random& random) {
   std::vector<Wish> wishes;
   for (int i = 0; i < arguments.n; ++i) {
     const std::size_t at = pick(names.size());
-    const std::vector<Hideout> ways = waysOf(names[at]);
+    const std::vector<Hideout> ways = waysOf(arguments, names[at]);
     wishes.push_back({ways[pick(ways.size())], arguments.size});
     names.erase(names.begin() + static_cast<std::ptrdiff_t>(at));
   }
@@ -74,7 +92,7 @@ std::vector<Wish> wishesOf(const Arguments& arguments, Random& random) {
 }
 
 HiddenCase caseOf(const Arguments& arguments) {
-  for (const std::string& name : arguments.effects) waysOf(name);
+  for (const std::string& name : arguments.effects) waysOf(arguments, name);
   Random random(arguments.seed, "hide");
   HiddenCase hidden;
   hidden.seed = 1 + static_cast<std::uint64_t>(random.uniform() * 1e15);
@@ -82,6 +100,9 @@ HiddenCase caseOf(const Arguments& arguments) {
   hidden.wishes = wishesOf(arguments, random);
   hidden.joints = arguments.joints;
   hidden.repeats = arguments.repeats;
+  hidden.level = arguments.level;
+  hidden.scene = sceneOf(arguments.scene);
+  if (hidden.scene != Scene::HungUp) return hidden;
   for (const Wish& wish : hidden.wishes) {
     const std::string& needs = wish.hideout.needs;
     if (hidden.joints.empty() || hidden.joints.front().find(needs) != std::string::npos) continue;
@@ -108,7 +129,8 @@ void run(const Arguments& arguments) {
   HiddenCase hidden = caseOf(arguments);
   const auto model = loadRobotModel(arguments.robots_dir, hidden.robot());
   for (const std::string& joint : hidden.joints) {
-    if (!model->findJoint(joint)) throw InputError("--joints: no joint is called " + joint);
+    if (!model->findJoint(joint) && model->groups.count(joint) == 0)
+      throw InputError("--joints: no joint is called " + joint);
   }
   const HiddenSet made = makeHiddenSetSomewhere(hidden, model);
   if (!made.truth.shortfall.empty()) {
@@ -118,8 +140,8 @@ void run(const Arguments& arguments) {
   validation::writeLogSet(made.set, arguments.folder);
   const std::string truth = fs::path(arguments.folder).lexically_normal().string() + ".truth.json";
   std::ofstream(truth) << toJson(made.truth) << "\n";
-  std::printf("%s: diagnose it; what is hidden stands in %s\n", arguments.folder.c_str(),
-              truth.c_str());
+  std::printf("%s: diagnose it with --model %s; what is hidden stands in %s\n",
+              arguments.folder.c_str(), hidden.robot().c_str(), truth.c_str());
 }
 
 }  // namespace
@@ -144,6 +166,14 @@ int main(int argc, char** argv) {
   app.add_option("--size", arguments.size, "Of each effect, in SDs of the measured mean.")
       ->capture_default_str()
       ->check(CLI::Range(0.5, 1000.0));
+  app.add_option("--value", arguments.value,
+                 "Of the effect's parameter, less its neutral value, in place of a size.");
+  app.add_option("--scene", arguments.scene,
+                 "What the robot does: hung_up, stand, kick, balance, walk, turn or circle.")
+      ->capture_default_str();
+  app.add_option("--level", arguments.level, "Whose causes are hidden: joint or limb.")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"joint", "limb"}));
   app.add_option("--repeats", arguments.repeats, "Of each motion.")
       ->capture_default_str()
       ->check(CLI::Range(1, 100));

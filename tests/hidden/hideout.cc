@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/check.h"
+#include "core/random.h"
 #include "tests/hidden/laws/laws.h"
 #include "validation/diagnosis/merge_effects.h"
 
@@ -56,6 +57,11 @@ Hideout only(const std::string& joints, Hideout hideout) {
 }
 Hideout otherNumber(Hideout hideout) {
   hideout.comparable = false;
+  return hideout;
+}
+
+Hideout at(std::vector<std::string> places, Hideout hideout) {
+  hideout.places = std::move(places);
   return hideout;
 }
 
@@ -190,6 +196,56 @@ std::vector<Hideout> strangerHideouts() {
   });
 }
 
+std::vector<Hideout> limbHideouts() {
+  const std::vector<std::string> limb{"LLeg"}, ankle{"LAnkleRoll"}, shared{"LHipYawPitch"};
+  return known({
+      at(ankle, shaped({{"place", -0.3}}, part("coupled_stop", "upper", -0.5, -5))),
+      at(ankle, shaped({{"place", -0.3}}, part("coupled_stop", "lower", -0.5, -5))),
+      at(limb, own("link_mass", "part", 0.2, 3)),
+      at(limb, way("link_mass", "hidden_dense_core", "part", 0.3, 5)),
+      at(limb, part("link_com", "x", 0.01, 0.1)),
+      at(limb, part("link_com", "x", -0.01, -0.1)),
+      at(limb, part("link_com", "y", 0.01, 0.1)),
+      at(limb, own("command_latency", "delay", 0.01, 0.2)),
+      at(limb, from(1, own("torque_limit", "part", -0.4, -0.97))),
+      at(shared, way("backlash", "hidden_soft_play", "width", 0.04, 0.3)),
+      at(shared, way("coulomb_friction", "hidden_smooth_coulomb", "torque", 0.1, 3)),
+      at(shared, own("kp_error", "part", -0.3, -0.9)),
+      at({"LKneePitch", "LHipPitch"}, own("kp_error", "part", -0.3, -0.9)),
+      at({"LAnklePitch", "LHipRoll"},
+         way("encoder_offset", "hidden_shifted_encoder", "angle", 0.012, 0.2)),
+  });
+}
+
+std::vector<Hideout> robotHideouts() {
+  const std::vector<std::string> robot{"robot"}, pitches{"LKneePitch", "RHipPitch", "RAnklePitch"},
+      rolls{"LHipRoll", "RAnkleRoll"};
+  const auto all = [&](const Hideout& hideout) { return at(robot, everywhere(hideout)); };
+  return known({
+      all(from(1, own("ground_friction", "scale", -0.7, -0.97))),
+      all(part("ground_tilt", "x", 0.03, 0.15)),
+      all(part("ground_tilt", "y", -0.03, -0.15)),
+      all(own("payload", "mass", 0.3, 2)),
+      all(own("command_latency", "delay", 0.02, 0.2)),
+      all(way("command_latency", "hidden_message_latency", "delay", 0.02, 0.2)),
+      all(way("command_hold", "hidden_clocked_hold", "interval", 0.06, 0.3)),
+      all(way("coulomb_friction", "hidden_smooth_coulomb", "torque", 0.3, 3)),
+      all(part("voltage_sag", "drop", 0.3, 0.85)),
+      at(pitches, from(1, own("torque_limit", "part", -0.6, -0.97))),
+      at(pitches, own("kp_error", "part", -0.3, -0.9)),
+      at(rolls, own("kp_error", "part", -0.3, -0.9)),
+      at(pitches, way("encoder_offset", "hidden_shifted_encoder", "angle", 0.03, 0.2)),
+      at(rolls, way("encoder_offset", "hidden_shifted_encoder", "angle", -0.03, -0.2)),
+      at({"LLeg", "RLeg"}, own("kp_error", "part", -0.3, -0.9)),
+      at({"LLeg", "RLeg"}, own("command_latency", "delay", 0.02, 0.2)),
+  });
+}
+
+Hideout hullHideout() {
+  return at({"RAnkleRoll"},
+            otherNumber(way("coupled_stop.upper", "hidden_ankle_hull", "inset", 0, 0)));
+}
+
 std::vector<Hideout> mujocoHideouts() {
   std::vector<Hideout> all{
       way("coulomb_friction", "mujoco_friction_loss", "torque", 0.1, 3),
@@ -231,12 +287,23 @@ EffectSetting settingAt(const Hideout& hideout, double deviation, const RobotMod
   for (const auto& [name, value] : hideout.shape) setting.parameters[name] = value;
   setting.parameters[hideout.parameter] =
       hideout.inverse ? 1 / std::max(1e-4, deviation) : hideout.neutral + deviation;
-  if (!hideout.whole_robot) {
+  const auto limb = model.groups.find(joint);
+  if (!hideout.whole_robot && limb != model.groups.end()) {
+    for (const std::string& name : limb->second) {
+      if (const auto one = model.findJoint(name)) setting.joints.push_back(*one);
+    }
+  } else if (!hideout.whole_robot) {
     const auto found = model.findJoint(joint);
     NAO_CHECK(found.has_value());
     setting.joints = {*found};
   }
   return setting;
+}
+
+std::string drawnPlace(const Hideout& hideout, std::uint64_t seed) {
+  NAO_CHECK(!hideout.places.empty());
+  const double at = Random(seed, "place").uniform() * static_cast<double>(hideout.places.size());
+  return hideout.places[static_cast<std::size_t>(at)];
 }
 
 bool looksAlike(const std::string& cause, const std::string& other) {

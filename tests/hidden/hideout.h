@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -23,6 +24,7 @@ struct Hideout {
   bool inverse = false;                 // parameter = 1 / deviation
   bool comparable = true;               // the law's number means what the cause's does
   std::vector<std::string> features;    // of strangers: words of a right signature
+  std::vector<std::string> places;      // of limb and robot sets: joints, limbs or "robot"
   std::string needs;                    // part of the name of the joints where it can act
 };
 
@@ -35,9 +37,20 @@ std::vector<Hideout> strangerHideouts();
 /// Causes of the catalogue by MuJoCo's laws and those of its motors: names count, numbers do not.
 std::vector<Hideout> mujocoHideouts();
 
-/// The hideout's effect at a deviation from neutral, on `joint` or on the whole robot.
+/// Causes that a limb shows, and a robot on its feet, by the simulator's laws and those of
+/// tests/hidden/laws; each with the places where it may hide.
+std::vector<Hideout> limbHideouts();
+std::vector<Hideout> robotHideouts();
+/// The documented hull of the ankles, for models that do not have it (nao_h21_v33_no_hull).
+Hideout hullHideout();
+
+/// The hideout's effect at a deviation from neutral, on `joint` (a limb: on all of its joints) or
+/// on the whole robot.
 EffectSetting settingAt(const Hideout& hideout, double deviation, const RobotModel& model,
                         const std::string& joint);
+
+/// One of the hideout's places, drawn from the seed.
+std::string drawnPlace(const Hideout& hideout, std::uint64_t seed);
 
 /// Causes that this robot's angles alone cannot tell apart, listed beforehand: no experiment of the
 /// standard set separates them by more than 1.5 SD of the measured mean.

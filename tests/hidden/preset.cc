@@ -20,6 +20,7 @@ const std::vector<std::vector<std::string>>& places() {
   return kPlaces;
 }
 
+constexpr int kRobotRepeats = 8;        // of a motion on the feet
 constexpr std::size_t kMostPlaces = 6;  // where an effect is tried before a case is given up
 
 // A second and third joint for sets of several.
@@ -51,6 +52,10 @@ class Dealer {
       }
       for (int i = 0; i < counts.mujoco_singles; ++i) addMujocoSingle();
     }
+    for (int i = 0; i < counts.limb_nulls; ++i) addLimb(Kind::NearNull);
+    for (int i = 0; i < counts.limb_singles; ++i) addLimb(Kind::Single);
+    for (int i = 0; i < counts.robot_nulls; ++i) addRobot(Kind::NearNull, i);
+    for (int i = 0; i < counts.robot_singles; ++i) addRobot(Kind::Single, i);
     shuffle();
     return std::move(cases_);
   }
@@ -152,6 +157,25 @@ class Dealer {
     place(hidden, pick(places().size()));
   }
 
+  // All joints of a leg move and are written; the other leg hangs on the same motor.
+  void addLimb(Kind kind) {
+    HiddenCase& hidden = add(kind);
+    hidden.level = "limb";
+    hidden.joints = {"LHipYawPitch", "LHipRoll",    "LHipPitch",
+                     "LKneePitch",   "LAnklePitch", "LAnkleRoll"};
+    if (kind == Kind::Single) hidden.wishes = {{next(limb_, at_limb_), sizeOfSingle()}};
+  }
+
+  void addRobot(Kind kind, int i) {
+    HiddenCase& hidden = add(kind);
+    hidden.level = "robot";
+    constexpr Scene kScenes[] = {Scene::Walk, Scene::Kick, Scene::Turn, Scene::Stand,
+                                 Scene::Circle};
+    hidden.scene = kScenes[i % 5];
+    hidden.repeats = kRobotRepeats;
+    if (kind == Kind::Single) hidden.wishes = {{next(robot_, at_robot_), sizeOfSingle()}};
+  }
+
   void addDataFault(int i) {
     HiddenCase& hidden = add(Kind::DataFault);
     constexpr Spoil kSpoils[] = {Spoil::SwapJoints, Spoil::Negate, Spoil::Degrees, Spoil::Clock,
@@ -169,18 +193,18 @@ class Dealer {
   Random random_;
   std::vector<Hideout> own_ = catalogueHideouts(), likeness_ = likenessHideouts(),
                        strangers_ = strangerHideouts(), faint_ = faint(own_),
-                       mujoco_ = mujocoHideouts();
+                       mujoco_ = mujocoHideouts(), limb_ = limbHideouts(), robot_ = robotHideouts();
   std::size_t at_own_ = kNowhere, at_likeness_ = kNowhere, at_faint_ = kNowhere,
-              at_mujoco_ = kNowhere;
+              at_mujoco_ = kNowhere, at_limb_ = kNowhere, at_robot_ = kNowhere;
   std::vector<HiddenCase> cases_;
 };
 
 }  // namespace
 
 Counts countsOf(const std::string& preset) {
-  if (preset == "quick") return {1, 1, 4, 1, 1, 1, 5, 1, 1};
-  if (preset == "standard") return {36, 36, 130, 20, 25, 20, 15, 4, 14};
-  if (preset == "full") return {150, 150, 300, 60, 60, 56, 24, 20, 50};
+  if (preset == "quick") return {1, 1, 4, 1, 1, 1, 5, 1, 1, 0, 1, 0, 1};
+  if (preset == "standard") return {33, 33, 118, 18, 22, 18, 14, 4, 12, 3, 9, 4, 12};
+  if (preset == "full") return {150, 150, 300, 60, 60, 56, 24, 20, 50, 8, 24, 12, 36};
   throw InputError("--preset: expected quick, standard or full, found '" + preset + "'");
 }
 

@@ -12,6 +12,7 @@ namespace nao::hidden {
 struct Counts {
   int exact_nulls = 0, near_nulls = 0, singles = 0, weak_singles = 0, pairs = 0, strangers = 0,
       data_faults = 0, mujoco_nulls = 0, mujoco_singles = 0;
+  int limb_nulls = 0, limb_singles = 0, robot_nulls = 0, robot_singles = 0;  // of these levels
 };
 
 /// "quick", "standard" or "full". @throws InputError for another word.

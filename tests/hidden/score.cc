@@ -8,6 +8,10 @@
 namespace nao::hidden {
 namespace {
 
+bool has(const std::vector<std::string>& list, const std::string& word) {
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
 // A fault of all joints may be named once for all or at the joint that shows it; one of a single
 // joint for all only where no other joint is in the set.
 bool isThere(const Truth& truth, const HiddenTruth& hidden, const GivenCause& given) {
@@ -31,6 +35,7 @@ bool isLookAlike(const Truth& truth, const GivenCause& given) {
 
 bool isAmong(const Truth& truth, const HiddenTruth& hidden, const GivenCause& given) {
   if (isRight(truth, hidden, given)) return true;
+  if (has(given.rivals, hidden.cause + " at " + hidden.joint)) return true;
   return isThere(truth, hidden, given) &&
          std::find(given.rivals.begin(), given.rivals.end(), hidden.cause) != given.rivals.end();
 }
@@ -38,10 +43,6 @@ bool isAmong(const Truth& truth, const HiddenTruth& hidden, const GivenCause& gi
 bool isAnyRight(const Truth& truth, const GivenCause& given) {
   return std::any_of(truth.hidden.begin(), truth.hidden.end(),
                      [&](const HiddenTruth& hidden) { return isRight(truth, hidden, given); });
-}
-
-bool has(const std::vector<std::string>& list, const std::string& word) {
-  return std::find(list.begin(), list.end(), word) != list.end();
 }
 
 // A coarse encoder is told by its counts, before anything is simulated.

@@ -49,6 +49,14 @@ TEST(Score, ARivalOfTheFirstCauseIsInItsSetOnly) {
   EXPECT_EQ(found.set_size, 2);
 }
 
+TEST(Score, ARivalAtAnotherPlaceSaysWhere) {
+  const auto sayingRival = [](const std::string& rival) {
+    return saying("ambiguous", {named("kp_error", "HeadPitch", {rival})});
+  };
+  EXPECT_TRUE(score(hiding("kp_error"), sayingRival("kp_error at HeadYaw")).truth_in_set);
+  EXPECT_FALSE(score(hiding("kp_error"), sayingRival("kp_error at LElbowYaw")).truth_in_set);
+}
+
 TEST(Score, ASecondCauseNamedAloneIsWrongBesideTheTruth) {
   const Score found =
       score(hiding("kp_error"), saying("named", {named("kp_error"), named("backlash")}));

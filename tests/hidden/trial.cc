@@ -140,16 +140,17 @@ SealedSet sealSet(const HiddenCase& hidden, const TrialPlace& place) {
 }
 
 Diagnosed diagnoseSealed(const std::string& set_folder, const std::string& robot,
-                         const std::string& report_folder, const TrialPlace& place) {
+                         const std::string& report_folder, const TrialPlace& place,
+                         const std::string& level) {
   fs::create_directories(report_folder);
   const std::string out = fs::absolute(report_folder).string();
   const auto begun = std::chrono::steady_clock::now();
   Diagnosed diagnosed;
-  const Ended ended = runIn(
-      set_folder,
-      {fs::absolute(place.program).string(), "diagnose", ".", "--model", robot, "--robots-dir",
-       fs::absolute(place.robots_dir).string(), "--out", out, "--jobs", std::to_string(place.jobs)},
-      out + "/log.txt");
+  const Ended ended = runIn(set_folder,
+                            {fs::absolute(place.program).string(), "diagnose", ".", "--model",
+                             robot, "--robots-dir", fs::absolute(place.robots_dir).string(),
+                             "--level", level, "--out", out, "--jobs", std::to_string(place.jobs)},
+                            out + "/log.txt");
   diagnosed.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   diagnosed.exit_code = ended.code;
   diagnosed.cpu = ended.cpu;
@@ -166,7 +167,7 @@ std::string runTrial(const HiddenCase& hidden, const TrialPlace& place) {
   } else {
     const fs::path reports = fs::path(place.folder) / "reports" / sealed.truth.name;
     const Diagnosed diagnosed =
-        diagnoseSealed(sealed.folder, hidden.robot(), reports.string(), place);
+        diagnoseSealed(sealed.folder, hidden.robot(), reports.string(), place, hidden.level);
     line["exit_code"] = diagnosed.exit_code;
     line["wall_s"] = diagnosed.wall;
     line["cpu_s"] = diagnosed.cpu;
@@ -180,7 +181,8 @@ std::string runTrial(const HiddenCase& hidden, const TrialPlace& place) {
     line["said"] = saying(report);
     line["score"] = toJson(score(sealed.truth, report));
     line["statements"] = toJson(judgeStatements(sealed.truth, report));
-    if (!sealed.truth.hidden.empty() && report.verdict != "data_fault") {
+    const bool alone = hidden.level == "joint";  // rigs replay the test motions
+    if (alone && !sealed.truth.hidden.empty() && report.verdict != "data_fault") {
       const Gain gain = calcGain(validation::readLogSet(sealed.folder), sealed.truth, report,
                                  *loadRobotModel(place.robots_dir, hidden.robot()));
       line["gain"] = {

@@ -37,7 +37,8 @@ struct Diagnosed {
   double cpu = 0;   // [s]
 };
 Diagnosed diagnoseSealed(const std::string& set_folder, const std::string& robot,
-                         const std::string& report_folder, const TrialPlace& place);
+                         const std::string& report_folder, const TrialPlace& place,
+                         const std::string& level = "joint");
 
 /// How much of what the hidden effects did to the motions that nobody fitted is gone when the
 /// causes of a report are put into the model.

@@ -83,6 +83,7 @@ const sim::EffectCatalogue& hiddenEffects() {
                             easedRateLimit,
                             smoothDeadband,
                             resistiveSag,
+                            ankleHull,
                             roughPatch,
                             quadraticDrag,
                             periodicTorque,

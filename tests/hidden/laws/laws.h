@@ -51,6 +51,7 @@ sim::EffectType twoPoleFilter();
 sim::EffectType easedRateLimit();
 sim::EffectType smoothDeadband();
 sim::EffectType resistiveSag();
+sim::EffectType ankleHull();
 
 sim::EffectType roughPatch();
 sim::EffectType quadraticDrag();
