@@ -46,12 +46,15 @@ struct Cause {
   /// A clock that beats with that of the log: sizes are told apart as beatingSizes() does.
   bool beats = false;
   bool coupled = false;  // needs a joint that another limits
+  /// Causes, by id, whose number of the same size to either side does nearly the same to one joint:
+  /// where this one fits, they are tried there too, however far that is from their own starts.
+  std::vector<std::string> twins{};
   /// Undeclared spread of this number between equal robots [its unit]: what a robot's maker calls
   /// the same. Less than the smallest size of interest; 0: none is expected.
   double spread = 0;
   bool spread_beyond = false;  // so do the joints that this one carries, and it feels them
-  std::string sentence;  // for the report, "{joint}" and "{value}" filled in
-  std::string separate;  // the experiment that tells it from its rivals
+  std::string sentence;        // for the report, "{joint}" and "{value}" filled in
+  std::string separate;        // the experiment that tells it from its rivals
   std::string prior = "common";
 
   std::string fill(const std::string& joint, const std::string& value) const;

@@ -161,6 +161,7 @@ void addLoad(std::vector<Cause>& all) {
     offset.scan.push_back(angle);
     offset.scan.push_back(-angle);
   }
+  offset.twins = {"ground_tilt.x", "ground_tilt.y"};
   all.push_back(offset);
   all.push_back(spread(
       one("link_mass", "part", {0.2, -0.2}, "the link on {joint} is heavier by {value} of nominal",
@@ -179,6 +180,7 @@ void addLoad(std::vector<Cause>& all) {
   for (const char* axis : {"x", "y"}) {
     all.push_back(forAll(part("ground_tilt", axis, {0.05}, "{joint}'s base is tilted by {value}",
                               "the same motion after the robot has turned by 90 degrees")));
+    all.back().twins = {"encoder_offset"};
   }
 }
 

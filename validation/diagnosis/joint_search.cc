@@ -136,17 +136,38 @@ std::vector<JointSearch::Candidate> JointSearch::rank(const Stage& stage) {
       not_tried_.push_back(causes_[start.cause].id);
       continue;
     }
-    const QuickFit fit = fitQuickly(ensemble_, stage, causes_, start.cause, start.x, effort_);
-    const auto same = std::find_if(ranking.begin(), ranking.end(),
-                                   [&](const Candidate& c) { return c.cause == fit.cause; });
-    if (same == ranking.end()) {
-      ranking.push_back({fit.cause, fit.x, fit.gain, false, false, false, {}});
-    } else if (fit.gain > same->gain) {
-      *same = {fit.cause, fit.x, fit.gain, false, false, false, {}};
+    put(fitQuickly(ensemble_, stage, causes_, start.cause, start.x, effort_), ranking);
+  }
+  sortBest(ranking);
+  addTwins(stage, ranking);
+  return ranking;
+}
+
+// Into the ranking, of each cause the best.
+void JointSearch::put(const QuickFit& fit, std::vector<Candidate>& ranking) {
+  const auto same = std::find_if(ranking.begin(), ranking.end(),
+                                 [&](const Candidate& c) { return c.cause == fit.cause; });
+  if (same == ranking.end()) {
+    ranking.push_back({fit.cause, fit.x, fit.gain, false, false, false, {}});
+  } else if (fit.gain > same->gain) {
+    *same = {fit.cause, fit.x, fit.gain, false, false, false, {}};
+  }
+}
+
+// What does nearly the same as the best, from its number.
+void JointSearch::addTwins(const Stage& stage, std::vector<Candidate>& ranking) {
+  if (ranking.empty()) return;
+  const Candidate best = ranking.front();
+  for (const std::string& twin : causes_[best.cause].twins) {
+    for (std::size_t c = 0; c < causes_.size(); ++c) {
+      if (causes_[c].id != twin || stage.isTaken(c)) continue;
+      for (const double x : {best.x[0], -best.x[0]}) {
+        if (ensemble_.spent()) return;
+        put(fitQuickly(ensemble_, stage, causes_, c, {x}, effort_), ranking);
+      }
     }
   }
   sortBest(ranking);
-  return ranking;
 }
 
 // Sizes of clocks, which no look at another size tells of.

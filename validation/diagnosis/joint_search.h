@@ -77,6 +77,8 @@ class JointSearch {
   double critical() const;
   std::vector<Candidate> rank(const Stage& stage);
   void addBeats(const Stage& stage, std::vector<QuickFit>& starts);
+  void addTwins(const Stage& stage, std::vector<Candidate>& ranking);
+  static void put(const QuickFit& fit, std::vector<Candidate>& ranking);
   void fitFinalists(const Stage& stage, std::vector<Candidate>& ranking);
   void fitFinally(const Stage& stage, Candidate& candidate);
   // The first `count`, or all.
