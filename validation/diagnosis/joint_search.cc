@@ -258,6 +258,7 @@ bool JointSearch::accept(std::vector<Candidate> ranking) {
     if (candidate.gain <= critical()) return false;
     if (!candidate.full) {  // all before it may not be named
       if (candidate.gain < kNextBest * best || fitted++ == effort_.finalists) return false;
+      if (ensemble_.spent()) return false;
       fitFinally(*stage_, candidate);
     }
     if (candidate.gain <= critical()) continue;
