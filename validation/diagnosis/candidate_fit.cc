@@ -1,9 +1,9 @@
 #include "validation/diagnosis/candidate_fit.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "validation/diagnosis/least_squares.h"
 #include "validation/diagnosis/size_search.h"
@@ -125,9 +125,11 @@ ModelFit fitSmall(Ensemble& ensemble, const Stage& stage, const std::vector<Caus
   fit.model.back().x[0] *= scale;
   fit.change = change * scale;
   fit.gain = explained.gain(scale);
+  const Eigen::Index own = stage.jacobian().cols();
   fit.jacobian = stage.jacobian();
-  fit.jacobian.conservativeResize(change.first.size(), fit.jacobian.cols() + 1);
-  fit.jacobian.rightCols(1) = change.mean() / look.x[0];
+  fit.jacobian.conservativeResize(change.first.size(), own + 1);
+  fit.chance = Eigen::MatrixXd::Zero(change.first.size(), own + 1);
+  setSlope(fit, own, change * (1 / look.x[0]));
   return fit;
 }
 
@@ -176,10 +178,34 @@ ModelFit fitFully(Ensemble& ensemble, const JointData& data, const Stage& stage,
   fit.model = withNumbers(start, best);
   fit.change = changes.at(best);
   fit.jacobian.resize(data.size(), static_cast<Eigen::Index>(best.size()));
+  fit.chance = fit.jacobian;
   for (std::size_t i = 0; i < best.size(); ++i) {
-    fit.jacobian.col(static_cast<Eigen::Index>(i)) = changes.slope(space, i, best).mean();
+    setSlope(fit, static_cast<Eigen::Index>(i), changes.slope(space, i, best));
   }
   return fit;
+}
+
+void setSlope(ModelFit& fit, Eigen::Index column, const Halves& slope) {
+  fit.jacobian.col(column) = slope.mean();
+  fit.chance.col(column) = (slope.first - slope.second) / 2;
+}
+
+SlopeSteps stepsOf(const ModelFit& fit, const Stage& stage) {
+  std::vector<Eigen::Index> all(static_cast<std::size_t>(fit.jacobian.cols()));
+  std::iota(all.begin(), all.end(), Eigen::Index{0});
+  return stepsOf(fit, stage, all);
+}
+
+SlopeSteps stepsOf(const ModelFit& fit, const Stage& stage,
+                   const std::vector<Eigen::Index>& columns) {
+  const auto whitened = [&](const Eigen::MatrixXd& of) {
+    Eigen::MatrixXd white(stage.fitSize(), static_cast<Eigen::Index>(columns.size()));
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      white.col(static_cast<Eigen::Index>(i)) = stage.whitenFit(of.col(columns[i]));
+    }
+    return white;
+  };
+  return {whitened(fit.jacobian), whitened(fit.chance)};
 }
 
 void moveNumbers(ModelFit& fit, const Eigen::VectorXd& raw, const Stage& stage,
@@ -198,12 +224,9 @@ void moveNumbers(ModelFit& fit, const Eigen::VectorXd& raw, const Stage& stage,
     }
   }
   if (moved.empty()) return;
-  const Eigen::VectorXd left = stage.whitenFit(raw);
-  Eigen::MatrixXd white(left.size(), static_cast<Eigen::Index>(moved.size()));
-  for (std::size_t i = 0; i < moved.size(); ++i) {
-    white.col(static_cast<Eigen::Index>(i)) = stage.whitenFit(fit.jacobian.col(moved[i].column));
-  }
-  const Eigen::VectorXd move = white.colPivHouseholderQr().solve(left);
+  std::vector<Eigen::Index> columns;
+  for (const Moved& one : moved) columns.push_back(one.column);
+  const Eigen::VectorXd move = stepsOf(fit, stage, columns)(stage.whitenFit(raw));
   for (std::size_t i = 0; i < moved.size(); ++i) {
     const FreeNumber& number = *moved[i].number;
     double& x = *moved[i].x;

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "validation/diagnosis/slope_steps.h"
 #include "validation/diagnosis/stage.h"
 
 namespace nao::validation {
@@ -11,6 +12,7 @@ struct ModelFit {
   CauseList model;
   Halves change;             // of the prediction, from the stage's model, all motions
   Eigen::MatrixXd jacobian;  // of the prediction, all motions, a column per number
+  Eigen::MatrixXd chance;    // in it: half of what two halves of the runs differ by, alike
   double gain = 0;           // over the stage's model [nats]
 };
 
@@ -28,6 +30,14 @@ QuickFit fitQuickly(Ensemble& ensemble, const Stage& stage, const std::vector<Ca
 /// All numbers of `start` at once, by ensembles of final_runs.
 ModelFit fitFully(Ensemble& ensemble, const JointData& data, const Stage& stage,
                   const std::vector<Cause>& causes, const CauseList& start, const Effort& effort);
+
+/// Sets one column of a fit's sensitivities, by both halves.
+void setSlope(ModelFit& fit, Eigen::Index column, const Halves& slope);
+
+/// Steps along a fit's sensitivities, whitened by the stage; all numbers, or those in `columns`.
+SlopeSteps stepsOf(const ModelFit& fit, const Stage& stage);
+SlopeSteps stepsOf(const ModelFit& fit, const Stage& stage,
+                   const std::vector<Eigen::Index>& columns);
 
 /// Moves the numbers of a fit by one Gauss-Newton step, as `raw`, the residual that was really left
 /// at them, and the fit's sensitivities ask for.

@@ -83,6 +83,8 @@ Cause boundedAt(const Cause& cause, const JointSimulator& joint,
   return bounded;
 }
 
+double Cause::spreadAt(double x) const { return free[0].unit.empty() ? spread * (1 + x) : spread; }
+
 EffectSetting settingOf(const Cause& cause, const std::vector<double>& numbers) {
   NAO_CHECK(numbers.size() == cause.free.size());
   EffectSetting setting = neutralSetting(cause.effect, sim::standardEffects());

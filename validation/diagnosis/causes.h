@@ -52,6 +52,9 @@ struct Cause {
   /// Undeclared spread of this number between equal robots [its unit]: what a robot's maker calls
   /// the same. Less than the smallest size of interest; 0: none is expected.
   double spread = 0;
+  /// The same where the number is x already: a part of a nominal value is one of what the robot
+  /// has.
+  double spreadAt(double x) const;
   bool spread_beyond = false;  // so do the joints that this one carries, and it feels them
   std::string sentence;        // for the report, "{joint}" and "{value}" filled in
   std::string separate;        // the experiment that tells it from its rivals

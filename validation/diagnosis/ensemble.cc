@@ -18,6 +18,21 @@ constexpr long kExactCost = 40;
 
 }  // namespace
 
+Halves RunPool::halves() const {
+  Halves halves{Eigen::VectorXd(mean.size()), Eigen::VectorXd(mean.size())};
+  Eigen::Index offset = 0;
+  for (const Eigen::MatrixXd& columns : runs) {
+    const auto every = [&](Eigen::Index first) -> Eigen::VectorXd {
+      const Eigen::MatrixXd half = columns(Eigen::all, Eigen::seq(first, Eigen::last, 2));
+      return half.rowwise().mean();
+    };
+    halves.first.segment(offset, columns.rows()) = every(0);
+    halves.second.segment(offset, columns.rows()) = every(1);
+    offset += columns.rows();
+  }
+  return halves;
+}
+
 Eigen::VectorXd RunPool::measuredAgain(const JointData& data, std::uint64_t seed) const {
   Random random(seed, "measured again");
   Eigen::VectorXd all(mean.size());

@@ -24,6 +24,8 @@ struct RunPool {
   std::vector<Eigen::MatrixXd> runs;  // by span; a column per run, signal by signal, row by row
   Eigen::VectorXd mean;               // stacked as JointData
 
+  /// `mean` by the runs of even and of odd streams, an even number of runs.
+  Halves halves() const;
   /// What a set measured again would differ from `mean`, were the mean's runs others: the mean of
   /// as many different runs of each span as it has repeats, drawn by `seed`, widened by what the
   /// mean itself is uncertain.

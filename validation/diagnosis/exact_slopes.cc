@@ -6,30 +6,71 @@
 namespace nao::validation {
 namespace {
 
-constexpr double kPart = 0.08;  // of a number: free choice
+constexpr double kPart = 0.08;   // of a number: free choice
+constexpr double kWidest = 0.5;  // of it, where less shows mostly chance
+constexpr double kWider = 3;
+constexpr double kChance = 0.1;  // of a slope's squares
 
 // What to go to either side, within bounds; nothing if one of them is that near.
-double widthOf(const FreeNumber& number, double x) {
-  const double wished = std::max(number.smallest, kPart * std::abs(x));
+double within(const FreeNumber& number, double x, double wished) {
   return std::min({wished, number.upper - x, x - number.lower});
 }
 
+class Slopes {
+ public:
+  Slopes(Ensemble& ensemble, const std::vector<Cause>& causes, int runs, const Stage& stage,
+         ModelFit& fit)
+      : ensemble_(ensemble), causes_(causes), runs_(runs), stage_(stage), fit_(fit) {}
+
+  void set(const FreeNumber& number, double& x, Eigen::Index column) {
+    double width = within(number, x, std::max(number.smallest, kPart * std::abs(x)));
+    if (width <= 0) return;
+    setSlope(fit_, column, slope(x, width));
+    while (chance(column) > kChance) {
+      const double wider = within(number, x, std::min(kWider * width, kWidest * std::abs(x)));
+      if (wider <= width || ensemble_.spent()) return;
+      width = wider;
+      setSlope(fit_, column, slope(x, width));
+    }
+  }
+
+ private:
+  // With `x`, a number of the fit, moved to either side.
+  Halves slope(double& x, double width) {
+    const double middle = x;
+    x = middle + width;
+    const Halves above = runsHere();
+    x = middle - width;
+    const Halves below = runsHere();
+    x = middle;
+    return (above - below) * (1 / (2 * width));
+  }
+
+  Halves runsHere() { return ensemble_.pool(settingsOf(causes_, fit_.model), runs_).halves(); }
+
+  double chance(Eigen::Index column) const {
+    const double all = stage_.whitenFit(fit_.jacobian.col(column)).squaredNorm();
+    return stage_.whitenFit(fit_.chance.col(column)).squaredNorm() / std::max(all, 1e-300);
+  }
+
+  Ensemble& ensemble_;
+  const std::vector<Cause>& causes_;
+  int runs_;
+  const Stage& stage_;
+  ModelFit& fit_;
+};
+
 }  // namespace
 
-void setExactSlopes(Ensemble& ensemble, const std::vector<Cause>& causes, int runs, ModelFit& fit) {
+void setExactSlopes(Ensemble& ensemble, const std::vector<Cause>& causes, int runs,
+                    const Stage& stage, ModelFit& fit) {
+  Slopes slopes(ensemble, causes, runs, stage, fit);
   Eigen::Index column = 0;
   for (Chosen& one : fit.model) {
     const Cause& cause = causes[one.cause];
     for (std::size_t i = 0; i < one.x.size(); ++i, ++column) {
       if (i == 0 && cause.beats) continue;
-      const double x = one.x[i], width = widthOf(cause.free[i], x);
-      if (width <= 0) continue;
-      one.x[i] = x + width;
-      const Eigen::VectorXd above = ensemble.pool(settingsOf(causes, fit.model), runs).mean;
-      one.x[i] = x - width;
-      const Eigen::VectorXd below = ensemble.pool(settingsOf(causes, fit.model), runs).mean;
-      one.x[i] = x;
-      fit.jacobian.col(column) = (above - below) / (2 * width);
+      slopes.set(cause.free[i], one.x[i], column);
     }
   }
 }

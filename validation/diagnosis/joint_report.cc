@@ -1,7 +1,8 @@
 // The part of JointSearch that puts what was found into words and numbers.
-#include <Eigen/QR>
 #include <algorithm>
+#include <cmath>
 
+#include "core/random.h"
 #include "validation/diagnosis/joint_search.h"
 #include "validation/diagnosis/signature.h"
 
@@ -22,18 +23,26 @@ std::vector<FoundNumber> numbersOf(const Cause& cause, const std::vector<double>
 // What the numbers of the model would have come out as in each null set: one Gauss-Newton step
 // with the sensitivities of the fit. A row per set.
 Eigen::MatrixXd reestimated(const Stage& stage, const ModelFit& fit) {
-  Eigen::MatrixXd white(stage.whitenFit(stage.raw()).size(), fit.jacobian.cols());
-  for (Eigen::Index i = 0; i < white.cols(); ++i) {
-    white.col(i) = stage.whitenFit(fit.jacobian.col(i));
-  }
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(white);
-  Eigen::MatrixXd moves(static_cast<Eigen::Index>(stage.nulls().size()), white.cols());
+  const SlopeSteps steps = stepsOf(fit, stage);
+  Eigen::MatrixXd moves(static_cast<Eigen::Index>(stage.nulls().size()), fit.jacobian.cols());
   for (Eigen::Index n = 0; n < moves.rows(); ++n) {
-    const Eigen::VectorXd move =
-        qr.solve(stage.whitenFit(stage.nulls()[static_cast<std::size_t>(n)]));
-    moves.row(n) = move.transpose();
+    const Eigen::VectorXd& null = stage.nulls()[static_cast<std::size_t>(n)];
+    moves.row(n) = steps(stage.whitenFit(null)).transpose();
   }
   return moves;
+}
+
+// What equal robots differ by in the numbers themselves.
+void addSpread(const std::vector<Cause>& causes, const CauseList& model, Eigen::MatrixXd& moves) {
+  Random random(1, "undeclared numbers");
+  Eigen::Index column = 0;
+  for (const Chosen& one : model) {
+    const double most = std::sqrt(3.0) * causes[one.cause].spreadAt(one.x[0]);
+    for (Eigen::Index n = 0; most > 0 && n < moves.rows(); ++n) {
+      moves(n, column) += random.uniform(-most, most);
+    }
+    column += static_cast<Eigen::Index>(one.x.size());
+  }
 }
 
 // Beside a remainder a cause may be the nearest imitation of a law that is not in the catalogue: it
@@ -55,7 +64,9 @@ void setInterval(FoundNumber& number, const Eigen::VectorXd& moves) {
 
 void JointSearch::describe(JointVerdict& verdict) {
   verdict.joint = joint_.joint();
-  const Eigen::MatrixXd moves = accepted_.empty() ? Eigen::MatrixXd() : reestimated(*stage_, fit_);
+  Eigen::MatrixXd moves;
+  if (!accepted_.empty()) moves = reestimated(*stage_, fit_);
+  addSpread(causes_, fit_.model, moves);
   Eigen::Index column = 0;
   for (std::size_t i = 0; i < accepted_.size(); ++i) {
     const Accepted& chosen = accepted_[i];

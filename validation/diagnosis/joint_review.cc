@@ -191,12 +191,15 @@ ModelFit JointSearch::fitWithout(const SmallerModel& smaller) const {
   }
   ModelFit fit;
   fit.jacobian.resize(data_.size(), smaller.numbers.size());
+  fit.chance = fit.jacobian;
   Eigen::Index next = 0;
   for (const std::size_t place : smaller.kept) {
     fit.model.push_back(fit_.model[place]);
     const Cause& cause = causes_[fit.model.back().cause];
     for (std::size_t i = 0; i < cause.free.size(); ++i, ++next) {
-      fit.jacobian.col(next) = fit_.jacobian.col(first[place] + static_cast<Eigen::Index>(i));
+      const Eigen::Index column = first[place] + static_cast<Eigen::Index>(i);
+      fit.jacobian.col(next) = fit_.jacobian.col(column);
+      fit.chance.col(next) = fit_.chance.col(column);
       if (i == 0 && cause.beats) continue;
       const FreeNumber& number = cause.free[i];
       fit.model.back().x[i] = std::clamp(smaller.numbers[next], number.lower, number.upper);
@@ -233,7 +236,7 @@ bool JointSearch::keepOnly(const SmallerModel& smaller) {
 void JointSearch::refine() {
   if (fit_.model.empty() || ensemble_.spent()) return;
   fit_.model = stage_->model();  // where its residual was taken
-  setExactSlopes(ensemble_, causes_, effort_.base_runs / 3, fit_);
+  setExactSlopes(ensemble_, causes_, effort_.base_runs / 3, *stage_, fit_);
   moveNumbers(fit_, stage_->raw(), *stage_, causes_);
   const RunPool pool = ensemble_.pool(settingsOf(causes_, fit_.model), effort_.base_runs);
   moveNumbers(fit_, data_.mean() - pool.mean, *stage_, causes_);

@@ -163,6 +163,7 @@ Eigen::MatrixXd Stage::directions(const Effort& effort, double start_sd) {
     }
     columns.push_back(late);
   }
+  addModel(columns);
   const std::size_t own = columns.size();
   std::size_t seen = causes_.size();
   for (const Look& one : looks_) {  // the first look at each cause
@@ -171,19 +172,22 @@ Eigen::MatrixXd Stage::directions(const Effort& effort, double start_sd) {
     }
     seen = one.cause;
   }
-  for (std::size_t i = 0, column = 0; i < model_.size(); ++i) {
-    const Cause& what = causes_[model_[i].cause];
-    if (what.spread > 0) {
-      columns.push_back(jacobian_.col(static_cast<Eigen::Index>(column)) * what.spread);
-    }
-    column += what.free.size();
-  }
   addBeyond(columns, effort);
   Eigen::MatrixXd all(data_.size(), static_cast<Eigen::Index>(columns.size()));
   for (std::size_t i = 0; i < columns.size(); ++i)
     all.col(static_cast<Eigen::Index>(i)) = columns[i];
   undeclared_ = all.rightCols(static_cast<Eigen::Index>(columns.size() - own));
   return all;
+}
+
+// The model's own numbers: what they may be off by is part of their intervals.
+void Stage::addModel(std::vector<Eigen::VectorXd>& columns) const {
+  Eigen::Index column = 0;
+  for (const Chosen& one : model_) {
+    const Cause& what = causes_[one.cause];
+    if (what.spread > 0) columns.push_back(jacobian_.col(column) * what.spreadAt(one.x[0]));
+    column += static_cast<Eigen::Index>(what.free.size());
+  }
 }
 
 // What the links that this joint carries may weigh more or less.

@@ -55,8 +55,8 @@ class Stage {
   /// missing, looks are at the cause that is missing alone. `jacobian`: of the numbers that stay.
   Stage(const Stage& full, std::size_t without, const Eigen::MatrixXd& jacobian);
 
-  /// Residuals of data sets measured again at this model, undeclared differences included; drawn
-  /// from the runs that the model's own mean is made of.
+  /// Residuals of data sets measured again at this model, undeclared differences included but for
+  /// those in the model's own numbers; drawn from the runs that the model's own mean is made of.
   void simulateNulls(const std::string& joint);
 
   const CauseList& model() const { return model_; }
@@ -69,6 +69,7 @@ class Stage {
   const Halves& quickBase() const { return quick_base_; }
   /// The same by rough runs.
   const Halves& lookBase() const { return look_base_; }
+  Eigen::Index fitSize() const { return data_.fitSize(); }
   const Eigen::MatrixXd& jacobian() const { return jacobian_; }
   const std::vector<Eigen::VectorXd>& nulls() const { return nulls_; }  // raw
 
@@ -95,6 +96,7 @@ class Stage {
   void scan(std::size_t cause);
   void setJacobian(const Eigen::MatrixXd& jacobian);
   Eigen::MatrixXd directions(const Effort& effort, double start_sd);
+  void addModel(std::vector<Eigen::VectorXd>& columns) const;
   void addBeyond(std::vector<Eigen::VectorXd>& columns, const Effort& effort);
 
   const JointData& data_;
@@ -108,7 +110,8 @@ class Stage {
   Eigen::VectorXd raw_;
   Halves quick_base_, look_base_;  // by coarse and by rough runs
   std::vector<Look> looks_;
-  Eigen::MatrixXd undeclared_;  // one SD of each difference between equal robots
+  // One SD of each difference between equal robots but for the model's own numbers.
+  Eigen::MatrixXd undeclared_;
   Whitening fit_, all_;
   Eigen::MatrixXd own_fit_, own_all_;  // orthonormal: what the model's numbers explain
   std::vector<Eigen::VectorXd> nulls_;
