@@ -54,7 +54,7 @@ class FloorMaker {
     HiddenSet made{validation::recordOnFloor(plan), truth_};
     made.truth.fell = fell(made.set);
     made.set.name = truth_.name;
-    splitByRun(made.set);
+    if (plan.motions.size() == 1) splitByRun(made.set);
     return made;
   }
 

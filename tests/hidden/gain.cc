@@ -39,10 +39,11 @@ Gain calcGain(const LogSet& set, const Truth& truth, const GivenReport& report,
   double before = 0, after = 0, floor = 0;  // [rad^2] over all joints
   for (const Joint joint : rigs->joints()) {
     const RigSimulator simulator(rigs, joint);
-    const JointReplay nominal_replay = replayJoint(simulator, {}, noise, kRuns, {Split::Test});
-    const JointReplay extended = causes.empty()
-                                     ? nominal_replay
-                                     : replayJoint(simulator, causes, noise, kRuns, {Split::Test});
+    const auto replay = [&](const std::vector<EffectSetting>& with) {
+      return replayJoint(simulator.exact(), with, noise, kRuns, {Split::Test});
+    };
+    const JointReplay nominal_replay = replay({});
+    const JointReplay extended = causes.empty() ? nominal_replay : replay(causes);
     const double noise_rms = extended.rmse / std::max(extended.misfit, 1e-9);
     before += nominal_replay.rmse * nominal_replay.rmse;
     after += extended.rmse * extended.rmse;

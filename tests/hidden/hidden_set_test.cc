@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "sim/effects/catalogue.h"
 #include "tests/hidden/preset.h"
 #include "tests/support/models.h"
+#include "validation/log/data_faults.h"
 
 namespace nao::hidden {
 namespace {
@@ -129,6 +131,23 @@ TEST(FloorSet, IsOfOneMotionAndItsLastRunsAreHeldBack) {
   const validation::Column& x = made.set.runs[0].columns.at("gt.base.x");
   EXPECT_NEAR(x.back() - x.front(), 0.4, 0.05);  // 0.095 m/s, less the first steps
   EXPECT_NE(x, made.set.runs[1].columns.at("gt.base.x"));
+}
+
+// Where a motion's runs have different splits, check-data calls it a fault, and nobody diagnoses
+// it.
+TEST(FloorSet, OfSeveralMotionsIsSplitByThem) {
+  HiddenCase hidden;
+  hidden.kind = Kind::NearNull;
+  hidden.scene = Scene::Stand;
+  hidden.repeats = 2;
+  const auto model = test::robot("nao_h21_v33");
+  const validation::LogSet set = makeHiddenSet(hidden, model).set;
+  std::set<validation::Split> splits;
+  for (const validation::LogRun& run : set.runs) splits.insert(run.split);
+  EXPECT_EQ(splits.size(), 3u);
+  for (const validation::DataFault& fault : validation::findDataFaults(set, model.get())) {
+    EXPECT_TRUE(fault.note) << fault.sentence;
+  }
 }
 
 TEST(Preset, KnowsTenCausesThatNoCatalogueHas) { EXPECT_GE(strangerHideouts().size(), 10u); }

@@ -98,7 +98,10 @@ FloorPlan planOf(Scene scene, std::shared_ptr<const RobotModel> model) {
   FloorPlan plan;
   plan.model = std::move(model);
   if (scene == Scene::Stand) {
-    plan.motions = {{"squat", Split::Fit, 4, {}}, {"sway", Split::Fit, 4, {}}};
+    plan.motions = {{"squat", Split::Fit, 4, {}},
+                    {"sway", Split::Fit, 4, {}},
+                    {"squat_fast", Split::Select, 4, {}},
+                    {"mixed", Split::Test, 4, {}}};
   }
   if (scene == Scene::Kick) addFile(plan, "kick", "kick_right.xar", {2.6, 3.7, 10 * kDegree});
   if (scene == Scene::Balance) addFile(plan, "balance", "balance.xar", {14.1, 15.3, 45 * kDegree});
