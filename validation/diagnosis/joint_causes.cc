@@ -128,8 +128,9 @@ void addGear(std::vector<Cause>& all) {
   all.push_back(byGrid(one("backlash", "width", {0.02, 0.007, 0.05, -0.008},
                            "{joint}'s gear has {value} of play more than the model",
                            "a slow triangle through zero load")));
-  all.push_back(one("gear_compliance", "compliance", {0.004, 0.015},
-                    "{joint}'s gear twists by {value}", "a static load sweep seen from outside"));
+  all.push_back(
+      byGrid(one("gear_compliance", "compliance", {0.004, 0.015, 0.06},
+                 "{joint}'s gear twists by {value}", "a static load sweep seen from outside")));
   all.push_back(one("cable_spring", "stiffness", {0.5, -0.3},
                     "a cable or skin pulls {joint} back with {value}",
                     "the same motion with the base turned by 90 degrees"));
