@@ -107,6 +107,20 @@ class Converted(unittest.TestCase):
         self.assertEqual(self.run_("import helper\nprint helper.NAME, __name__\n"),
                          ["helper 2", "helper __main__"])
 
+    def testWhatItImportsIsConvertedBeforeItRuns(self):
+        self.write("helper.py", "import deeper\ntext = deeper.text\n")
+        self.write("deeper.py", "print 'deeper'\ntext = `1`\n")
+        self.write("broken.py", "this is no Python\n")
+        self.assertEqual(self.run_(
+            "import os\n"
+            "copies = lambda: len(os.listdir(os.environ['USARNAOQI_PY2_FOLDER']))\n"
+            "print copies()\n"
+            "def later():\n    import helper\n    print helper.text\n"
+            "later()\n"
+            "print copies()\n"
+            "try:\n    import broken\nexcept SyntaxError:\n    print 'broken'\n"),
+            ["3", "deeper", "1", "3", "broken"])
+
     def testArgumentsFileAndExitCodeAreTheScriptsOwn(self):
         script = os.path.join(self.folder, "script.py")
         self.assertEqual(self.run_("import sys\nprint sys.argv, __file__\nsys.exit(4)\n", "a", "-b",

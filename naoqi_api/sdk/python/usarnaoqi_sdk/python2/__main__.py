@@ -23,7 +23,8 @@ def main() -> None:
             sys.exit(_told("%s" % error))
         _told("%s: Python 2, converted by %s into a temporary copy, %s" % (
             script, copies.translator.name, code.co_filename))
-        loader.install(copies)
+        sys.path[0] = os.path.dirname(os.path.abspath(script))
+        loader.install(copies, script)
         aliases.install()
         _run(script, code)
 
@@ -43,7 +44,6 @@ def _told(text: str) -> int:
 def _run(script: str, code: types.CodeType) -> None:
     """As `python script.py` would."""
     del sys.argv[0]
-    sys.path[0] = os.path.dirname(os.path.abspath(script))
     module = types.ModuleType("__main__")
     module.__file__ = script
     module.__dict__["__builtins__"] = __builtins__

@@ -1,5 +1,6 @@
 """Imports of Python 2 modules: what lies outside Python's own folders is converted first."""
 
+import ast
 import importlib.machinery
 import importlib.util
 import os
@@ -7,7 +8,7 @@ import sys
 import sysconfig
 import tokenize
 from importlib.abc import MetaPathFinder
-from typing import Any, Optional
+from typing import Any, Dict, Iterator, Optional, Tuple
 
 from .translate import Translator
 
@@ -21,6 +22,7 @@ class Copies:
         self._folder = folder
         self._translator = Translator()
         self._count = 0
+        self._done: Dict[Tuple[str, int, int], Any] = {}
 
     @property
     def translator(self) -> Translator:
@@ -28,6 +30,13 @@ class Copies:
 
     def compiled(self, path: str) -> Any:
         """The code of a source file, whose lines are those of the copy. Raises SyntaxError."""
+        now = os.stat(path)
+        key = path, now.st_mtime_ns, now.st_size
+        if key not in self._done:
+            self._done[key] = self._compile(path)
+        return self._done[key]
+
+    def _compile(self, path: str) -> Any:
         with tokenize.open(path) if _saysItsEncoding(path) else open(
                 path, encoding="utf-8", errors="surrogateescape") as file:
             text = file.read()
@@ -87,10 +96,52 @@ class Finder(MetaPathFinder):
         spec.loader = Loader(name, spec.origin or "", self._copies)
         return spec
 
+    def prepare(self, path: str) -> None:
+        """Converts what a converted file, and all that it imports, may import: while the program
+        runs, that would take its time. Who can not be converted is left for its import to tell."""
+        waiting, seen = [path], {path}
+        while waiting:
+            for name in importedBy(self._copies.compiled(waiting.pop())):
+                origin = self._find(name)
+                if origin and origin not in seen and self._converts(origin):
+                    waiting.append(origin)
+                seen.add(origin)
+
+    def _find(self, name: str) -> str:
+        """The user's file of a module, or of what it lies in; empty: there is none."""
+        places, spec = None, None
+        for end in [i for i, letter in enumerate(name + ".") if letter == "."]:
+            spec = self.find_spec(name[:end], places)
+            places = spec.submodule_search_locations if spec else None
+            if places is None:
+                break
+        return spec.origin or "" if spec else ""
+
+    def _converts(self, path: str) -> bool:
+        try:
+            self._copies.compiled(path)
+        except (OSError, SyntaxError, ValueError):
+            return False
+        return True
+
     def _isForeign(self, origin: str) -> bool:
         return any(origin.startswith(folder) for folder in self._foreign) or \
             "/dist-packages/" in origin or "/site-packages/" in origin
 
 
-def install(copies: Copies) -> None:
-    sys.meta_path.insert(0, Finder(copies))
+def importedBy(code: Any) -> Iterator[str]:
+    """The names of modules in the text of a compiled file, wherever they stand in it."""
+    with open(code.co_filename, encoding="utf-8", errors="surrogateescape") as file:
+        tree = ast.parse(file.read())
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
+            yield node.module
+
+
+def install(copies: Copies, script: str) -> None:
+    """From now on imports are the user's of Python 2; what `script` may import is ready."""
+    finder = Finder(copies)
+    finder.prepare(script)
+    sys.meta_path.insert(0, finder)
