@@ -35,6 +35,23 @@ class Listener(naoqi.ALModule):
         return value * 2
 
 
+class Behavior(naoqi.ALBehavior):
+    """Says how often it was started."""
+
+    def __init__(self, name):
+        naoqi.ALBehavior.__init__(self, name)
+        self.setModuleDescription("Counts.")
+        self.functionName("onInput_onStart", name, "Counts one more.")
+        self.setReturn("count", "How often.")
+        self.BIND_PYTHON(name, "onInput_onStart")
+        self.starts = 0
+
+    def onInput_onStart(self):
+        """Counts one more."""
+        self.starts += 1
+        return self.starts
+
+
 @needsDaemon
 class ModuleTest(unittest.TestCase):
     def setUp(self):
@@ -68,6 +85,22 @@ class ModuleTest(unittest.TestCase):
         listener.exit()
         with self.assertRaisesRegex(RuntimeError, "Can't find service: Doubler"):
             naoqi.ALProxy("Doubler")
+
+    def testABehaviorIsAModuleThatDescribesItself(self):
+        behavior = Behavior("Starts")
+        naoqi.autoBind(behavior)
+        self.assertIsInstance(behavior, naoqi.ALDocable)
+        self.assertEqual((behavior.getName(), behavior.getModuleHelp(), behavior.hasFinished),
+                         ("Starts", "Counts.", False))
+        self.assertIn("onInput_onStart", behavior.getMethodList())
+        self.assertEqual(behavior.getMethodHelp("onInput_onStart"), "Counts one more.")
+        behavior.onLoad()
+        behavior.waitResources()
+        proxy = naoqi.createModule("Starts")
+        self.assertEqual([proxy.onInput_onStart() for _ in range(2)], [1, 2])
+        behavior.releaseResource()
+        behavior.onUnload()
+        behavior.exit()
 
     def testTasksArePostedWaitedForAndStopped(self):
         motion = naoqi.ALProxy("ALMotion", "10.0.0.1", 9559)
