@@ -19,12 +19,12 @@ def main() -> None:
         try:
             copies = loader.Copies(folder)
             code = copies.compiled(script)
+            sys.path[0] = os.path.dirname(os.path.abspath(script))
+            loader.install(copies, script)  # before anything is written: that may be a wait
         except (NoTranslator, OSError, SyntaxError) as error:
             sys.exit(_told("%s" % error))
         _told("%s: Python 2, converted by %s into a temporary copy, %s" % (
             script, copies.translator.name, code.co_filename))
-        sys.path[0] = os.path.dirname(os.path.abspath(script))
-        loader.install(copies, script)
         aliases.install()
         _run(script, code)
 
