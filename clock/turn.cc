@@ -10,6 +10,8 @@ namespace nao::clock {
 namespace {
 
 constexpr std::uint32_t kMostPasses = 1000;  // without the world; each further one takes kLookCost
+// In place of kFreeLooks before anybody has waited: Python reads clocks a dozen times per import.
+constexpr std::uint32_t kFirstLooks = 100000;
 constexpr std::int64_t kWatch = 100 * kMillisecond;  // how often a waiting thread looks up
 
 thread_local Slot* own __attribute__((tls_model("initial-exec"))) = nullptr;
@@ -170,7 +172,7 @@ Slot* taker() {
 
 void look() {
   Slot* slot = taker();
-  if (!slot || ++looks <= kFreeLooks) return;
+  if (!slot || ++looks <= (page()->began.load() == 0 ? kFirstLooks : kFreeLooks)) return;
   const Inside guard;
   if (page()->now.fetch_add(kLookCost) + kLookCost < page()->world_due.load()) return;
   waitForTurn(*slot, SlotState::Ready);

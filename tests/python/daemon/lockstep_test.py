@@ -77,6 +77,17 @@ class LockstepTest(unittest.TestCase):
                 code, out, err = course(os.path.join(BUILT, "clock_probe"), probe)
                 self.assertEqual((code, out), (0, "1 probes, 0 failures\n"), err)
 
+    @needsPlainPrograms
+    def testTimeStandsUntilSomebodyWaitsHoweverManyClocksAreRead(self):
+        looks = "import time\nfor _ in range(5000): time.monotonic()\n"
+        now = "import time\nprint(time.monotonic())"
+        at_once = course(PYTHON, "-c", now)[:2]
+        self.assertEqual(at_once[0], 0)
+        self.assertEqual(course(PYTHON, "-c", looks + now)[:2], at_once)
+        later = "import time\ntime.sleep(0.01)\nbegun = time.monotonic()\n" + looks + (
+            "print(time.monotonic() - begun > 0.03)")  # 4,000 of 10 us
+        self.assertEqual(course(PYTHON, "-c", later)[:2], (0, "True\n"))
+
     def testAClientThatSleepsAndPollsIsTheSameEveryTime(self):
         self.expectSame(PYTHON, "sleeps_and_polls.py")
 
