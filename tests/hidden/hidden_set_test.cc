@@ -66,6 +66,20 @@ TEST(HiddenSet, LooksAlikesAreListedBeforehandAndOthersAreNot) {
   EXPECT_FALSE(listed("kp_error"));
 }
 
+// It turns about the vertical: its zero shows nowhere but where it meets its stop that much earlier.
+TEST(HiddenSet, AZeroThatMeetsAStopLooksLikeAStopThatWasMoved) {
+  HiddenCase hidden = friction(8);
+  hidden.kind = Kind::Single;
+  for (const Hideout& hideout : catalogueHideouts()) {
+    if (hideout.cause == "encoder_offset" && hideout.start < 0) hidden.wishes = {{hideout, 8}};
+  }
+  const Truth truth = chooseHidden(hidden, test::robot("nao_h21_v33"));
+  ASSERT_TRUE(truth.shortfall.empty()) << truth.shortfall;
+  const std::vector<std::string>& alike = truth.hidden.at(0).look_alikes;
+  EXPECT_NE(std::find(alike.begin(), alike.end(), "joint_stop.upper"), alike.end());
+  EXPECT_EQ(std::find(alike.begin(), alike.end(), "joint_stop.lower"), alike.end());
+}
+
 TEST(Hideout, HidesNothingBesideItsNumber) {
   const auto model = test::robot("nao_h21_v33");
   for (const Hideout& hideout : catalogueHideouts()) {

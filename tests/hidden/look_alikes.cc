@@ -45,6 +45,21 @@ std::vector<Hideout> rivals() {
   return all;
 }
 
+// A zero that is off lets a joint meet a stop by as much earlier: a stop that was moved does the
+// same there. Neither answers to a size that does not reach, so that they begin at this one.
+void addAsFar(const EffectSetting& effect, std::vector<Hideout>& all) {
+  const std::vector<Hideout> given = all;
+  for (const char* angle : {"angle", "upper", "lower"}) {
+    const auto by = effect.parameters.find(angle);
+    if (by == effect.parameters.end() || by->second == 0) continue;
+    for (Hideout hideout : given) {
+      if (hideout.law != "joint_stop" && hideout.law != "encoder_offset") continue;
+      hideout.start = std::copysign(by->second, hideout.start);
+      all.push_back(hideout);
+    }
+  }
+}
+
 class Comparison {
  public:
   Comparison(const Disguise& disguise, double below) : disguise_(disguise), below_(below) {
@@ -114,7 +129,9 @@ class Comparison {
 std::vector<LookAlike> findLookAlikes(const Disguise& disguise, double below) {
   const Comparison comparison(disguise, below);
   std::map<std::string, LookAlike> nearest;
-  for (const Hideout& rival : rivals()) {
+  std::vector<Hideout> all = rivals();
+  addAsFar(disguise.effect, all);
+  for (const Hideout& rival : all) {
     if (looksAlike(rival.cause, disguise.cause)) continue;
     const LookAlike fitted = comparison.fit(rival);
     const auto [place, fresh] = nearest.try_emplace(fitted.cause, fitted);
