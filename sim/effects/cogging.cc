@@ -1,5 +1,6 @@
 // The motor's magnets prefer some angles: T = torque sin(per_turn q + phase), per_turn periods in
-// 2 pi of the joint. Source: reluctance torque of a slotted motor, seen through the gear.
+// 2 pi of the joint; a negative torque is half a period further. Source: reluctance torque of a
+// slotted motor, seen through the gear.
 #include <cmath>
 
 #include "sim/effects/effect.h"
@@ -33,7 +34,7 @@ class Cogging final : public Effect {
 EffectType cogging() {
   return {"cogging",
           "The joint's torque ripples with its angle.",
-          {{"torque", "N m", 0.05, 0, 0, 5, 0.01},
+          {{"torque", "N m", 0.05, 0, -5, 5, 0.01},
            {"per_turn", "", 12, 12, 1, 200, 0.5},
            {"phase", "rad", 0, 0, -7, 7, 0.2}},
           Acts::OnDrive,

@@ -95,6 +95,11 @@ void addMotor(std::vector<Cause>& all) {
   all.push_back(forAll(byGrid(part("voltage_sag", "slope", {0.03, 0.08, -0.03},
                                    "the voltage at {joint} sinks by {value} of nominal",
                                    "the same motion early and late in a long run"))));
+  Cause ripple = one("cogging", "torque", {0.2}, "{joint}'s torque ripples by {value} as it turns",
+                     "slow motion over all of the range, one way and back");
+  std::vector<double> per_turn;  // from 12, as the effect has it
+  for (const double periods : {2, 4, 6, 8, 10, 12, 16, 20, 24}) per_turn.push_back(periods - 12);
+  all.push_back(shaped(shaped(ripple, "per_turn", per_turn), "phase", {0, M_PI / 2}));
   all.push_back(byGrid(shaped(one("thermal_derating", "part", {0.5, 0.9},
                                   "{joint}'s motor loses {value} of its torque as it warms up",
                                   "the same motion cold and hot"),
@@ -144,7 +149,7 @@ void addGear(std::vector<Cause>& all) {
       1));
   for (const char* end : {"upper", "lower"}) {
     all.push_back(
-        byGrid(shaped(part("coupled_stop", end, {0.5, -0.5},
+        byGrid(shaped(part("coupled_stop", end, {0.5, -0.5, 0.15, -0.15},
                            std::string("{joint}'s ") + end +
                                " stop moves inwards by {value} where the joint it hangs on is bent",
                            "hold this joint's command, sweep the other"),
