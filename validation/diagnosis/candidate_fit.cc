@@ -133,6 +133,18 @@ ModelFit fitSmall(Ensemble& ensemble, const Stage& stage, const std::vector<Caus
   return fit;
 }
 
+struct Start {
+  QuickFit fit;
+  double as_seen = 0;  // [nats] that the look explained, without any scale
+};
+
+// Of all looks at its cause: whatever others promise if scaled, this one kept it.
+bool isBestSeen(const Start& start, const std::vector<Start>& starts) {
+  return start.as_seen > 0 && std::none_of(starts.begin(), starts.end(), [&](const Start& other) {
+           return other.fit.cause == start.fit.cause && other.as_seen > start.as_seen;
+         });
+}
+
 }  // namespace
 
 QuickFit fitQuickly(Ensemble& ensemble, const Stage& stage, const std::vector<Cause>& causes,
@@ -236,31 +248,32 @@ void moveNumbers(ModelFit& fit, const Eigen::VectorXd& raw, const Stage& stage,
 
 std::vector<QuickFit> startsFor(const Stage& stage, const std::vector<Cause>& causes,
                                 const Eigen::VectorXd& white, double least, int most) {
-  std::vector<QuickFit> starts;
+  std::vector<Start> starts;
   for (const Look& look : stage.looks()) {
     double scale = 0;
     const double gain = Stage::gain(look, white, &scale);
     if (gain < least || scale == 0) continue;
-    QuickFit start{look.cause, look.x, gain};
+    Start start{{look.cause, look.x, gain}, Explained(look.white, white).gain()};
     // A rough cause is what it was seen to be, if that helped at all; its sizes are scanned later.
-    const double as_seen = Explained(look.white, white).gain();
-    if (causes[look.cause].linear || as_seen <= 0) start.x[0] *= scale;
+    if (causes[look.cause].linear || start.as_seen <= 0) start.fit.x[0] *= scale;
     starts.push_back(std::move(start));
   }
   std::stable_sort(starts.begin(), starts.end(),
-                   [](const QuickFit& a, const QuickFit& b) { return a.gain > b.gain; });
+                   [](const Start& a, const Start& b) { return a.fit.gain > b.fit.gain; });
   std::vector<QuickFit> kept;
   std::vector<std::size_t> known;
-  for (const QuickFit& start : starts) {
+  for (const Start& start : starts) {
     int same = 0;
     double best = 0;
     for (const QuickFit& other : kept) {
-      if (other.cause == start.cause) ++same, best = std::max(best, other.gain);
+      if (other.cause == start.fit.cause) ++same, best = std::max(best, other.gain);
     }
-    if (same >= 2 || (same == 1 && start.gain < kNearlyAsGood * best)) continue;
+    const bool seen = isBestSeen(start, starts);
+    if (!seen && same >= 2) continue;
+    if (!seen && same == 1 && start.fit.gain < kNearlyAsGood * best) continue;
     if (same == 0 && static_cast<int>(known.size()) >= most) continue;
-    if (same == 0) known.push_back(start.cause);
-    kept.push_back(start);
+    if (same == 0) known.push_back(start.fit.cause);
+    kept.push_back(start.fit);
   }
   return kept;
 }

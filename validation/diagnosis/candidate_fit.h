@@ -45,7 +45,8 @@ void moveNumbers(ModelFit& fit, const Eigen::VectorXd& raw, const Stage& stage,
                  const std::vector<Cause>& causes);
 
 /// The best start of every cause that could explain at least `least` nats, best first, at most
-/// `most`; two starts of one cause if they differ in sign or are nearly as good.
+/// `most`; two starts of one cause if the second is nearly as good, and the one whose
+/// look explained most just as it was seen.
 std::vector<QuickFit> startsFor(const Stage& stage, const std::vector<Cause>& causes,
                                 const Eigen::VectorXd& white, double least, int most);
 

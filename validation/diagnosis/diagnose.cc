@@ -8,20 +8,20 @@ namespace {
 
 SharedFinding describe(const SharedCause& shared, const std::vector<Cause>& causes) {
   const Cause& cause = causes[shared.cause];
-  const auto numberOf = [](const Cause& of, double x) {
+  const auto numberOf = [](const Cause& of, double x, double low, double high) {
     const FreeNumber& free = of.free[0];
-    return FoundNumber{free.parameter, free.unit, shownValue(free, x), x, x, x};
+    return FoundNumber{free.parameter, free.unit, shownValue(free, x), x, low, high};
   };
   SharedFinding found;
   found.joints = shared.joints;
   found.finding.cause = cause.id;
   found.finding.effect = cause.effect;
   found.finding.gain = shared.gain;
-  found.finding.numbers = {numberOf(cause, shared.x)};
+  found.finding.numbers = {numberOf(cause, shared.x, shared.low, shared.high)};
   found.finding.experiment = cause.separate;
   found.finding.sentence = cause.fill("every joint", valueText(found.finding.numbers[0]));
   for (const auto& [rival, x] : shared.rivals) {
-    found.finding.rivals.push_back({causes[rival].id, {numberOf(causes[rival], x)}, 0});
+    found.finding.rivals.push_back({causes[rival].id, {numberOf(causes[rival], x, x, x)}, 0});
   }
   return found;
 }

@@ -153,6 +153,19 @@ std::vector<double> JointCrowd::gainsAt(std::size_t cause, double x) {
   return gains;
 }
 
+std::vector<SharedStep> JointCrowd::stepsFrom(std::size_t cause, double x) {
+  const std::string question = named("step", cause, x);
+  const auto answers = ask(question, [&](std::size_t j) {
+    SharedStep step;
+    taped(j, question, [&] { step = searches_[j]->stepFrom(cause, x); });
+    tell();
+    return pack(step);
+  });
+  std::vector<SharedStep> steps;
+  for (const std::string& answer : answers) steps.push_back(unpack<SharedStep>(answer));
+  return steps;
+}
+
 std::vector<double> JointCrowd::beatingSizesOf(std::size_t joint, std::size_t cause) {
   const std::string question = named("beat", cause, 0);
   const auto answers = ask(question, [&](std::size_t j) {

@@ -50,6 +50,8 @@ class JointCrowd {
   NullRecord largestNulls(std::size_t left_out = static_cast<std::size_t>(-1)) const;
   /// What each joint gains with this number [nats].
   std::vector<double> gainsAt(std::size_t cause, double x);
+  /// Where each joint would have the number instead.
+  std::vector<SharedStep> stepsFrom(std::size_t cause, double x);
   /// Sizes that a joint proposes for a cause that beats.
   std::vector<double> beatingSizesOf(std::size_t joint, std::size_t cause);
   /// Takes a cause for given at all joints and looks anew.

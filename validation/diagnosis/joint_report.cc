@@ -87,6 +87,8 @@ void JointSearch::describe(JointVerdict& verdict) {
       const Cause& other = causes_[rival.cause];
       finding.rivals.push_back({other.id, numbersOf(other, rival.x), chosen.gain - rival.gain});
     }
+    finding.confusion = chosen.confusion;
+    finding.profile = profileOf(i, finding.numbers[0]);
     finding.sentence = cause.fill(verdict.joint, valueText(finding.numbers[0]));
     finding.experiment = cause.separate;
     verdict.findings.push_back(std::move(finding));
@@ -103,6 +105,10 @@ void JointSearch::judge(JointVerdict& verdict) {
   verdict.misfit_after = misfit(*stage_, stage_->raw());
   verdict.split_ratio = split_ratio_;
   verdict.with_repeats = data_.hasRepeats();
+  verdict.repeats = data_.spans().front().repeats;
+  for (const MotionSpan& span : data_.spans()) {
+    verdict.repeats = std::min(verdict.repeats, span.repeats);
+  }
   verdict.runs = ensemble_.used();
 
   std::vector<double> largest = nulls_.remainders;

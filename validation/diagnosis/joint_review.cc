@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "validation/diagnosis/confusion.h"
 #include "validation/diagnosis/exact_slopes.h"
 #include "validation/diagnosis/joint_search.h"
 #include "validation/diagnosis/smaller_models.h"
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double kSame = 0.03;             // of the gain: rivals within it are not told apart
 constexpr double kSameByExactRuns = 0.01;  // where both were weighed
+constexpr double kSameIfWhole = 0.002;     // and the best leaves no more than chance
 constexpr std::size_t kWeighed = 3;
 constexpr double kSwap = 0.01;  // of the gain: what a rival must be better by
 constexpr double kWorthTrying =
@@ -30,12 +32,14 @@ bool samePlace(const Cause& a, const Cause& b) {
 // fit as well as chance allows: then rivals are not told apart by chance alone.
 double JointSearch::reachOf(const Candidate& best, const Candidate& other) const {
   if (!best.weighed || !other.weighed) return std::max(critical(), kSame * best.gain);
-  return std::max(critical(), best.whole ? 0 : kSameByExactRuns * best.gain);
+  return std::max(critical(), (best.whole ? kSameIfWhole : kSameByExactRuns) * best.gain);
 }
 
-void JointSearch::setRivals(std::size_t place, const std::vector<Candidate>& ranking) {
+void JointSearch::setRivals(std::size_t place, const std::vector<Candidate>& ranking,
+                            const Stage& stage) {
   Accepted& chosen = accepted_[place];
   chosen.rivals.clear();
+  chosen.confusion = confusionAmong(ranking, stage);
   const auto own = std::find_if(ranking.begin(), ranking.end(),
                                 [&](const Candidate& c) { return c.cause == chosen.cause; });
   if (own == ranking.end()) return;
@@ -46,6 +50,17 @@ void JointSearch::setRivals(std::size_t place, const std::vector<Candidate>& ran
     if (samePlace(causes_[rival.cause], causes_[chosen.cause])) continue;
     chosen.rivals.push_back(rival);
   }
+}
+
+Confusion JointSearch::confusionAmong(const std::vector<Candidate>& ranking,
+                                      const Stage& stage) const {
+  std::vector<Fitted> fitted;
+  for (const Candidate& one : ranking) {
+    if (one.full) fitted.push_back({causes_[one.cause].id, stage.white(one.fit.change)});
+  }
+  std::vector<Eigen::VectorXd> nulls;
+  for (const Eigen::VectorXd& null : stage.nulls()) nulls.push_back(stage.white(null));
+  return confusionOf(fitted, nulls);
 }
 
 // Fits are made of coarse steps, which are off by a few per cent of what a large cause explains:
@@ -120,11 +135,7 @@ bool JointSearch::reviewOne(std::size_t place) {
                                 [&](const Candidate& c) { return c.cause == cause; });
   const double own_gain = own == ranking.end() ? 0 : own->gain;
   const double best_gain = ranking.empty() ? 0 : ranking.front().gain;
-  if (std::max(own_gain, best_gain) <= critical()) {
-    drop(place, own_gain, "no longer needed beside the others");
-    enterModel(fitFully(ensemble_, data_, *without, causes_, without->model(), effort_));
-    return true;
-  }
+  if (std::max(own_gain, best_gain) <= critical()) return goesWithout(place, own_gain, *without);
   if (best_gain > own_gain + std::max(2.0, kSwap * own_gain)) {
     Candidate best = ranking.front();
     if (!best.full) fitFinally(*without, best);
@@ -134,8 +145,30 @@ bool JointSearch::reviewOne(std::size_t place) {
     }
   }
   accepted_[place].gain = own_gain;
-  setRivals(place, ranking);
+  setRivals(place, ranking, *without);
   return false;
+}
+
+// Drops a cause that nothing misses by its sensitivities, unless exact runs do.
+bool JointSearch::goesWithout(std::size_t place, double gain, const Stage& without) {
+  const ModelFit whole_fit = fit_;
+  const NullRecord whole_nulls = nulls_;
+  const double before = excess();
+  auto whole = std::make_unique<Stage>(*stage_);
+  enterModel(fitFully(ensemble_, data_, without, causes_, without.model(), effort_));
+  if (excess() > before + std::max(2 * critical(), kSwap * accepted_[place].gain)) {
+    stage_ = std::move(whole);
+    fit_ = whole_fit;
+    nulls_ = whole_nulls;
+    return false;
+  }
+  drop(place, gain, "no longer needed beside the others");
+  return true;
+}
+
+// Half the squares that are left, over what null sets leave.
+double JointSearch::excess() const {
+  return stage_->white(stage_->raw()).squaredNorm() / 2 - floor();
 }
 
 void JointSearch::drop(std::size_t place, double gain, const std::string& reason) {
@@ -151,10 +184,11 @@ void JointSearch::swap(std::size_t place, double gain, const Stage& without, con
                    accepted_[place].share,
                    crossValidate(data_, without, best.fit, best.x.size()),
                    isSmall(best),
+                   {},
                    {}};
   drop(place, gain, "explained better by " + causes_[best.cause].id);
   accepted_.push_back(swapped);
-  setRivals(accepted_.size() - 1, ranking);
+  setRivals(accepted_.size() - 1, ranking, without);
   enterModel(best.fit);
 }
 

@@ -13,6 +13,7 @@ constexpr double kWorthFitting = 0.7;    // of the threshold: what a look must p
 constexpr double kHopeless = 0.03;       // of the best look's gain: less never becomes the best fit
 constexpr double kClose = 0.06;          // of the best quick gain: fitted fully as well
 constexpr double kNextBest = 0.4;        // of the best gain: tried if the best may not be named
+constexpr double kSharedPart = 0.15;     // of a number: half the width of a slope
 constexpr double kExcited = 1;           // squared noise SDs of a look: else it cannot be judged
 
 double half(const Eigen::VectorXd& x) { return x.squaredNorm() / 2; }
@@ -63,6 +64,26 @@ double JointSearch::costOf(std::size_t cause, double x) {
   const Halves change = ensemble_.halves({sharedSetting(cause, x)}, effort_.final_runs) -
                         ensemble_.halves({}, effort_.final_runs);
   return -Explained(stage_->white(change), stage_->white(stage_->raw())).gain();
+}
+
+SharedStep JointSearch::stepFrom(std::size_t cause, double x) {
+  const FreeNumber& number = causes_[cause].free[0];
+  const double width = std::min(
+      {std::max(number.smallest, kSharedPart * std::abs(x)), number.upper - x, x - number.lower});
+  SharedStep step;
+  step.nulls.assign(stage_->nulls().size(), 0);
+  if (width <= 0 || ensemble_.spent()) return step;
+  const auto halves = [&](double at) {
+    return ensemble_.pool({sharedSetting(cause, at)}, effort_.base_runs / 3).halves();
+  };
+  const Halves slope = stage_->white((halves(x + width) - halves(x - width)) * (1 / (2 * width)));
+  const auto along = [&](const Eigen::VectorXd& raw) {
+    return slope.mean().dot(stage_->white(raw));
+  };
+  step.square = std::max(0.0, slope.first.dot(slope.second));
+  step.along = along(data_.mean() - halves(x).mean());
+  for (std::size_t n = 0; n < step.nulls.size(); ++n) step.nulls[n] = along(stage_->nulls()[n]);
+  return step;
 }
 
 std::unique_ptr<Stage> JointSearch::stageOf(const CauseList& model,
@@ -269,8 +290,9 @@ bool JointSearch::accept(std::vector<Candidate> ranking) {
                          shareOf(*stage_, candidate.gain),
                          *validation,
                          isSmall(candidate),
+                         {},
                          {}});
-    setRivals(accepted_.size() - 1, ranking);
+    setRivals(accepted_.size() - 1, ranking, *stage_);
     ensemble_.learnNoise(settingsOf(causes_, candidate.fit.model));
     enterModel(candidate.fit);
     return true;

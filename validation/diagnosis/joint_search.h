@@ -21,6 +21,13 @@ struct NullRecord {
   std::vector<double> remainders;  // misfit in SDs of itself
 };
 
+/// What one joint says of a number that all joints share, by whitened squares: its least lies at
+/// along / square from here, in null sets at nulls / square.
+struct SharedStep {
+  double along = 0, square = 0;
+  std::vector<double> nulls;
+};
+
 /// The search for the causes of one joint's misfit: forward selection with swap and elimination.
 /// begin() looks at every candidate, conclude() decides with what all joints show by chance.
 /// One thread.
@@ -35,6 +42,8 @@ class JointSearch {
   /// Half the squares of the fit motions' residual with this number given, less that without: what
   /// one number for all joints would cost or save here [nats]. By ensembles of final_runs.
   double costOf(std::size_t cause, double x);
+  /// By exact runs: coarse steps are off by as much as a message takes. Before give().
+  SharedStep stepFrom(std::size_t cause, double x);
   /// Sizes that this joint proposes for a cause that beats.
   std::vector<double> beatingSizesOf(std::size_t cause) {
     return beatingSizes(ensemble_, *stage_, causes_, cause);
@@ -68,6 +77,7 @@ class JointSearch {
     CrossValidation validation;
     bool small = false;
     std::vector<Candidate> rivals;
+    Confusion confusion{};
   };
 
   EffectSetting sharedSetting(std::size_t cause, double x) const;  // on all joints
@@ -99,11 +109,16 @@ class JointSearch {
   double floor() const;
   bool review();
   bool reviewOne(std::size_t place);
+  bool goesWithout(std::size_t place, double gain, const Stage& without);
+  double excess() const;
   bool prune();
   ModelFit fitWithout(const SmallerModel& smaller) const;
   bool keepOnly(const SmallerModel& smaller);
   void refine();
-  void setRivals(std::size_t place, const std::vector<Candidate>& ranking);
+  void setRivals(std::size_t place, const std::vector<Candidate>& ranking, const Stage& stage);
+  Confusion confusionAmong(const std::vector<Candidate>& ranking, const Stage& stage) const;
+  Eigen::VectorXd leftAtFit() const;
+  std::vector<ProfilePoint> profileOf(std::size_t place, const FoundNumber& number);
   void reject(std::size_t cause, double gain, const std::string& reason);
   void judge(JointVerdict& verdict);
   void describe(JointVerdict& verdict);

@@ -26,19 +26,22 @@ using Json = nlohmann::json;
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(JointNoise, torque_sd, torque_time, start_sd, quantum, jitter)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(NullRecord, gains, remainders)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SharedStep, along, square, nulls)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SharedPart, cause, x, scanned, along, square, gain, lower, upper)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(JointLooks, nulls, best, square, shared)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FoundNumber, parameter, unit, value, deviation, low, high)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Rival, cause, numbers, behind)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProfilePoint, deviation, lost)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Confusion, causes, share)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StatementKind, level, verdict, size, signals, repeats)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Finding, cause, effect, numbers, gain, share, folds,
                                    folds_better, held_out_gain, one_motion_only, small, rivals,
-                                   sentence, experiment, kind, record)
+                                   sentence, experiment, profile, confusion, kind, record)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Rejected, cause, gain, reason)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(JointVerdict, joint, verdict, findings, rejected, not_tried,
                                    critical_gain, misfit_before, misfit_after, remainder_score,
-                                   remainder_critical, split_ratio, with_repeats, runs, signature,
-                                   kind, record)
+                                   remainder_critical, split_ratio, with_repeats, repeats, runs,
+                                   signature, kind, record)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Fold, name, motions)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FoldErrors, held_out)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FoldDiagnosis, verdict, folds, before, after, fitted)
@@ -52,9 +55,9 @@ namespace {
 
 // A member that is missing above is a value that is lost: who adds one is stopped here.
 [[maybe_unused]] void countMembers(const Finding& finding, const JointVerdict& verdict) {
-  [[maybe_unused]] const auto& [c, e, n, g, s, f, b, h, o, m, r, t, x, k, re] = finding;
-  [[maybe_unused]] const auto& [jo, ve, fi, rj, nt, cg, mb, ma, rs, rc, sr, wr, ru, si, ki, rd] =
-      verdict;
+  [[maybe_unused]] const auto& [c, e, n, g, s, f, b, h, o, m, r, t, x, p, co, k, re] = finding;
+  [[maybe_unused]] const auto& [jo, ve, fi, rj, nt, cg, mb, ma, rs, rc, sr, wr, rp, ru, si, ki,
+                                rd] = verdict;
 }
 
 }  // namespace
@@ -84,6 +87,8 @@ template std::string pack(const std::vector<double>&);
 template std::vector<double> unpack(const std::string&);
 template std::string pack(const JointNoise&);
 template JointNoise unpack(const std::string&);
+template std::string pack(const SharedStep&);
+template SharedStep unpack(const std::string&);
 template std::string pack(const JointLooks&);
 template JointLooks unpack(const std::string&);
 template std::string pack(const JointVerdict&);

@@ -147,6 +147,27 @@ void addBeats(JointCrowd& joints, double critical, std::vector<SharedCause>& fit
   }
 }
 
+// Coarse runs found it; exact ones of all joints together say by how much it is off, and null sets
+// how well they know. Sizes of clocks stay where they beat.
+void refine(JointCrowd& joints, SharedCause& shared) {
+  const Cause& cause = joints.causes()[shared.cause];
+  shared.low = shared.high = shared.x;
+  if (cause.beats) return;
+  SharedStep all;
+  for (const SharedStep& one : joints.stepsFrom(shared.cause, shared.x)) {
+    all.along += one.along;
+    all.square += one.square;
+    all.nulls.resize(std::max(all.nulls.size(), one.nulls.size()), 0);
+    for (std::size_t n = 0; n < one.nulls.size(); ++n) all.nulls[n] += one.nulls[n];
+  }
+  if (all.square <= 0) return;
+  const FreeNumber& number = cause.free[0];
+  shared.x = std::clamp(shared.x + all.along / all.square, number.lower, number.upper);
+  for (double& null : all.nulls) null /= all.square;
+  shared.low = shared.x - quantile(all.nulls, 0.95);
+  shared.high = shared.x - quantile(all.nulls, 0.05);
+}
+
 }  // namespace
 
 std::optional<SharedCause> findShared(JointCrowd& joints, double critical) {
@@ -186,6 +207,7 @@ std::optional<SharedCause> findShared(JointCrowd& joints, double critical) {
       best.rivals.emplace_back(fits[i].cause, fits[i].x);
     }
   }
+  refine(joints, best);
   return best;
 }
 

@@ -12,6 +12,7 @@ namespace nao::validation {
 struct SharedCause {
   std::size_t cause = 0;
   double x = 0;
+  double low = 0, high = 0;                            // 90 % interval of it; equal: none
   double gain = 0;                                     // [nats] of all joints
   int joints = 0;                                      // that gain more than the threshold
   std::vector<std::pair<std::size_t, double>> rivals;  // causes within reach, and their number

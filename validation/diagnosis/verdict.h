@@ -23,6 +23,20 @@ struct Rival {
   double behind = 0;  // [nats] of gain
 };
 
+/// Which of several candidates explains data best that were made with one of them: share[i][j] of
+/// the sets made with causes[i] were explained best by causes[j].
+struct Confusion {
+  std::vector<std::string> causes;
+  std::vector<std::vector<double>> share;
+};
+
+/// Another value of a number, all others following: how much worse it fits. From rough runs: it
+/// shows the shape, the interval comes from null sets.
+struct ProfilePoint {
+  double deviation = 0;  // from the nominal model
+  double lost = 0;       // [nats] of gain; below zero by chance
+};
+
 /// What kind of statement a diagnosis makes, by what its report shows of it: those of one kind are
 /// about as often right (verdict_record.h).
 struct StatementKind {
@@ -45,9 +59,11 @@ struct Finding {
   bool small = false;         // below its size of interest: fitted, never named
   std::vector<Rival> rivals;  // none: named alone
   std::string sentence;
-  std::string experiment;  // that separates it from its rivals
-  StatementKind kind{};    // empty until addRecords()
-  std::string record{};    // how such statements turned out where the truth was known
+  std::string experiment;               // that separates it from its rivals
+  std::vector<ProfilePoint> profile{};  // of the first number
+  Confusion confusion{};                // among the candidates that were fitted in full
+  StatementKind kind{};                 // empty until addRecords()
+  std::string record{};                 // how such statements turned out where the truth was known
 };
 
 /// What became of a candidate that is not part of the model.
@@ -80,6 +96,7 @@ struct JointVerdict {
   double split_ratio =
       0;  // gains of repeat splits over gains of null sets: 1 if the noise is right
   bool with_repeats = true;
+  int repeats = 0;        // of the motion with the fewest
   long runs = 0;          // simulated
   std::string signature;  // of the remainder; empty: none was sought
   StatementKind kind{};   // likewise, if nothing is named here
