@@ -16,6 +16,7 @@
 #include "validation/diagnosis/diagnose_folds.h"
 #include "validation/diagnosis/diagnosis_json.h"
 #include "validation/diagnosis/diagnosis_page.h"
+#include "validation/diagnosis/gain.h"
 #include "validation/diagnosis/packed.h"
 #include "validation/diagnosis/prepared_set.h"
 #include "validation/diagnosis/verdict_record.h"
@@ -125,7 +126,8 @@ validation::Provenance provenanceOf(const Arguments& arguments, const validation
           commandOf(arguments),
           arguments.level,
           validation::sha256OfFolder(arguments.set, arguments.out),
-          validation::sha256OfFolder(findSourceFile(arguments.robots_dir) + "/" + model)};
+          validation::sha256OfFolder(findSourceFile(arguments.robots_dir) + "/" + model),
+          validation::countTestOpenings(arguments.set)};
 }
 
 // All that decides what the parts of a diagnosis come to. A program is known by its size and time.

@@ -20,6 +20,14 @@ Json toJson(const std::vector<FoundNumber>& numbers) {
   return list;
 }
 
+Json toJson(const std::vector<ProfilePoint>& profile) {
+  Json list = Json::array();
+  for (const ProfilePoint& point : profile) {
+    list.push_back({{"deviation", point.deviation}, {"lost_nats", point.lost}});
+  }
+  return list;
+}
+
 Json toJson(const StatementKind& kind, const std::string& record) {
   if (record.empty()) return nullptr;
   return {{"level", kind.level},     {"verdict", kind.verdict}, {"size", kind.size},
@@ -46,6 +54,8 @@ Json toJson(const Finding& finding) {
           {"below_size_of_interest", finding.small},
           {"rivals", rivals},
           {"experiment", finding.experiment},
+          {"profile", toJson(finding.profile)},
+          {"confusion", {{"causes", finding.confusion.causes}, {"share", finding.confusion.share}}},
           {"record", toJson(finding.kind, finding.record)}};
 }
 
@@ -68,6 +78,7 @@ Json toJson(const JointVerdict& joint) {
           {"signature", joint.signature},
           {"repeat_split_ratio", joint.split_ratio},
           {"with_repeats", joint.with_repeats},
+          {"repeats", joint.repeats},
           {"record", toJson(joint.kind, joint.record)},
           {"runs", joint.runs}};
 }

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kDegree = M_PI / 180;
 constexpr std::size_t kMostBars = 10;
+constexpr Eigen::Index kEveryPoint = 3;  // of a cloud's
 
 EffectSetting settingOf(const std::string& effect, const std::vector<FoundNumber>& numbers) {
   EffectSetting setting = neutralSetting(effect, sim::standardEffects());
@@ -24,11 +25,11 @@ EffectSetting settingOf(const Finding& finding) {
   return settingOf(finding.effect, finding.numbers);
 }
 
-RunSpread simulated(const JointTask& task, const std::vector<EffectSetting>& causes,
-                    std::size_t motion, int runs) {
+RunSpread simulated(const JointTask& task, const JointSimulator& joint,
+                    const std::vector<EffectSetting>& causes, std::size_t motion, int runs) {
   std::vector<Eigen::MatrixXd> all;
   for (int r = 0; r < runs; ++r) {
-    all.push_back(task.joint->run(causes, motion, static_cast<std::uint64_t>(r) + 1, task.noise));
+    all.push_back(joint.run(causes, motion, static_cast<std::uint64_t>(r) + 1, task.noise));
   }
   return spreadOf(all, 0);
 }
@@ -56,6 +57,21 @@ Series curve(const std::string& label, double dt, const Eigen::VectorXd& angle, 
     series.y.push_back(angle[i] / kDegree);
   }
   return series;
+}
+
+// Rigs tell as much.
+std::size_t worstMotion(const JointTask& task, int runs) {
+  std::size_t worst = task.joint->measured().size();
+  double largest = -1;
+  for (std::size_t m = 0; m < task.joint->measured().size(); ++m) {
+    const JointMotion& motion = task.joint->measured()[m];
+    if (motion.split == Split::Test) continue;
+    const RunSpread nominal = simulated(task, *task.joint, {}, m, runs);
+    const double error = (spreadOf(motion.repeats, 0).mean - nominal.mean).squaredNorm();
+    if (error > largest) largest = error, worst = m;
+  }
+  NAO_CHECK(largest >= 0);
+  return worst;
 }
 
 }  // namespace
@@ -92,34 +108,25 @@ void addRival(JointCourse& course, const JointTask& task, const std::string& riv
   for (std::size_t m = 0; m < task.joint->measured().size(); ++m) {
     if (task.joint->measured()[m].motion != course.motion) continue;
     course.rival = rival;
-    course.with_rival = simulated(task, effects, m, runs).mean;
+    course.with_rival = simulated(task, task.joint->exact(), effects, m, runs).mean;
   }
 }
 
 JointCourse worstCourse(const JointTask& task, const std::vector<EffectSetting>& found, int runs) {
-  JointCourse worst;
-  double largest = -1;
-  std::size_t at = 0;
-  for (std::size_t m = 0; m < task.joint->measured().size(); ++m) {
-    const JointMotion& motion = task.joint->measured()[m];
-    if (motion.split == Split::Test) continue;
-    const RunSpread measured = spreadOf(motion.repeats, 0);
-    const RunSpread nominal = simulated(task, {}, m, runs);
-    const double error = (measured.mean - nominal.mean).squaredNorm();
-    if (error <= largest) continue;
-    largest = error;
-    at = m;
-    const auto repeats = static_cast<double>(motion.repeats.size());
-    worst = {motion.motion, motion.dt, measured.mean,
-             nominal.mean,  {},        (measured.variance / repeats).cwiseSqrt()};
-    if (repeats > 1) {
-      worst.measured_sd = measured.variance.cwiseSqrt();
-      worst.simulated_sd = nominal.variance.cwiseSqrt();
-    }
+  const std::size_t at = worstMotion(task, runs);
+  const JointMotion& motion = task.joint->measured()[at];
+  const JointSimulator& exact = task.joint->exact();
+  const RunSpread measured = spreadOf(motion.repeats, 0);
+  const RunSpread nominal = simulated(task, exact, {}, at, runs);
+  const auto repeats = static_cast<double>(motion.repeats.size());
+  JointCourse course{motion.motion, motion.dt, measured.mean,
+                     nominal.mean,  {},        (measured.variance / repeats).cwiseSqrt()};
+  course.extended = simulated(task, exact, found, at, runs).mean;
+  if (repeats > 1) {
+    course.measured_sd = measured.variance.cwiseSqrt();
+    course.simulated_sd = nominal.variance.cwiseSqrt();
   }
-  NAO_CHECK(largest >= 0);
-  worst.extended = simulated(task, found, at, runs).mean;
-  return worst;
+  return course;
 }
 
 Picture drawCourse(const JointCourse& course) {
@@ -145,6 +152,54 @@ Picture drawCourse(const JointCourse& course) {
   spread.series = {curve("measured", course.dt, course.measured_sd, Ink::Black),
                    curve("nominal model", course.dt, course.simulated_sd, Ink::Orange)};
   return {"", {angle, error, spread}, 1, 900, 780};
+}
+
+Picture drawSignature(const JointCourse& course) {
+  const Eigen::Index n = course.measured.size();
+  const Eigen::VectorXd speed =
+      (course.measured.tail(n - 1) - course.measured.head(n - 1)) / course.dt;
+  const auto cloud = [&](const std::string& label, const Eigen::VectorXd& at,
+                         const Eigen::VectorXd& simulated, Ink ink) {
+    Series series{label, {}, {}, Stroke::Points, ink};
+    for (Eigen::Index i = 0; i < at.size(); i += kEveryPoint) {
+      series.x.push_back(at[i] / kDegree);
+      series.y.push_back((course.measured[i] - simulated[i]) / kDegree);
+    }
+    return series;
+  };
+  Panel by_speed = makePanel("Error by speed", "speed [deg/s]", "error [deg]");
+  Panel by_angle = makePanel("Error by angle", "angle [deg]", "error [deg]");
+  by_speed.key = by_angle.key = "outside";
+  by_speed.series = {cloud("nominal model", speed, course.nominal, Ink::Orange),
+                     cloud("extended model", speed, course.extended, Ink::Blue)};
+  by_angle.series = {cloud("nominal model", course.measured, course.nominal, Ink::Orange),
+                     cloud("extended model", course.measured, course.extended, Ink::Blue)};
+  return {"", {by_speed, by_angle}, 2, 1200, 340};
+}
+
+Picture drawProfile(const Finding& finding) {
+  const FoundNumber& number = finding.numbers.front();
+  std::vector<ProfilePoint> points = finding.profile;
+  points.push_back({number.deviation, 0});
+  std::sort(points.begin(), points.end(),
+            [](const ProfilePoint& a, const ProfilePoint& b) { return a.deviation < b.deviation; });
+  Series curve{"by rough runs", {}, {}, Stroke::LinePoints, Ink::Blue};
+  double most = 1;
+  for (const ProfilePoint& point : points) {
+    curve.x.push_back(point.deviation);
+    curve.y.push_back(point.lost);
+    most = std::max(most, point.lost);
+  }
+  const auto upright = [&](double x, const std::string& label) {
+    return Series{label, {x, x}, {0, most}, Stroke::Dashed, Ink::Black};
+  };
+  Panel panel = makePanel(
+      "How much worse other values fit: " + finding.cause,
+      number.parameter + ", deviation [" + (number.unit.empty() ? "of nominal" : number.unit) + "]",
+      "gain lost [nats]");
+  panel.key = "outside";
+  panel.series = {curve, upright(number.low, "90 % interval"), upright(number.high, "")};
+  return {"", {panel}, 1, 900, 300};
 }
 
 Picture drawRanking(const JointVerdict& joint) {

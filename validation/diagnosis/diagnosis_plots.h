@@ -41,6 +41,13 @@ void addRival(JointCourse& course, const JointTask& task, const std::string& riv
 /// the spread of runs.
 Picture drawCourse(const JointCourse& course);
 
+/// Over the same motion: the error against the joint's speed and angle, where friction, play and
+/// loads each draw a shape of their own.
+Picture drawSignature(const JointCourse& course);
+
+/// The finding's Finding::profile with the interval; it must have one.
+Picture drawProfile(const Finding& finding);
+
 /// What each cause explains or would have explained [nats], the largest first, and the threshold.
 Picture drawRanking(const JointVerdict& joint);
 

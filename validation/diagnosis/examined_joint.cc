@@ -13,9 +13,14 @@ ExaminedJoint examine(const JointTask& task, const SetDiagnosis& diagnosis,
   const std::vector<Split> seen{Split::Fit, Split::Select};
   const std::vector<Joint> place = task.joint->place();
   const auto found = foundEffects(diagnosis, verdict, place);
-  ExaminedJoint examined{replayJoint(*task.joint, {}, task.noise, kRuns, seen),
-                         replayJoint(*task.joint, found, task.noise, kRuns, seen),
-                         worstCourse(task, found, kRuns)};
+  const auto replayed = [&](const std::vector<EffectSetting>& causes) {
+    return replayJoint(task.joint->exact(), causes, task.noise, kRuns, seen);
+  };
+  ExaminedJoint examined;
+  examined.before = examined.after = replayed({});
+  if (!found.empty()) examined.after = replayed(found);
+  if (verdict.verdict == Verdict::NoDiscrepancy) return examined;
+  examined.course = worstCourse(task, found, kRuns);
   const auto [rival, effects] = rivalEffects(diagnosis, verdict, place);
   if (!rival.empty()) addRival(examined.course, task, rival, effects, kRuns);
   return examined;
@@ -30,9 +35,8 @@ std::vector<ExaminedJoint> examineJoints(const SetDiagnosis& diagnosis,
   const auto answers =
       askAll(*options.team, "examined", tasks.size(), options.jobs, [&](std::size_t j) {
         const JointVerdict& verdict = diagnosis.joints[j];
-        return options.kept.remember(verdict.joint + ".examined", [&] {
-          return pack(examine(tasks[j], diagnosis, verdict));
-        });
+        return options.kept.remember(verdict.joint + ".examined",
+                                     [&] { return pack(examine(tasks[j], diagnosis, verdict)); });
       });
   std::vector<ExaminedJoint> joints;
   for (const std::string& answer : answers) joints.push_back(unpack<ExaminedJoint>(answer));

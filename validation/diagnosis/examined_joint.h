@@ -7,7 +7,7 @@ namespace nao::validation {
 /// What a page shows of a joint beside its verdict.
 struct ExaminedJoint {
   JointReplay before, after;  // without and with what was found
-  JointCourse course;
+  JointCourse course;         // empty where nothing is to be found
 };
 
 /// All joints of a diagnosis, replayed by the threads and processes of `options`. Test runs are not

@@ -114,7 +114,11 @@ int openTestRuns(const LogSet& set, const std::string& set_folder, const std::st
     std::ofstream out(file, std::ios::app);
     if (!(out << by << "\n")) throw InputError(file + ": can not be written");
   }
-  std::ifstream in(file);
+  return countTestOpenings(set_folder);
+}
+
+int countTestOpenings(const std::string& set_folder) {
+  std::ifstream in(set_folder + "/test_openings.txt");
   int lines = 0;
   for (std::string line; std::getline(in, line);) ++lines;
   return lines;

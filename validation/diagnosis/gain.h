@@ -27,4 +27,7 @@ Report measureGain(const LogSet& set, std::shared_ptr<const RobotModel> before,
 /// @throws InputError for a set without test runs, and if the record can not be written.
 int openTestRuns(const LogSet& set, const std::string& set_folder, const std::string& by);
 
+/// How often that was, so far.
+int countTestOpenings(const std::string& set_folder);
+
 }  // namespace nao::validation

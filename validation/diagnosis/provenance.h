@@ -9,6 +9,7 @@ struct Provenance {
   std::string set, model, command;
   std::string level = "joint";
   std::string set_sha256{}, model_sha256{};  // of their folders
+  int test_openings = 0;                     // of the set, so far
 };
 
 /// In HTML: set, model and level, one clause.

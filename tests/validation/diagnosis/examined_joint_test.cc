@@ -17,6 +17,7 @@ class Examined : public testing::Test {
     diagnosis_.joints.resize(1);
     JointVerdict& verdict = diagnosis_.joints[0];
     verdict.joint = joint_.joint();
+    verdict.verdict = Verdict::Named;
     verdict.findings.resize(1);
     Finding& finding = verdict.findings[0];
     finding.effect = finding.cause = "kp_error";
