@@ -84,6 +84,9 @@ void addNull(const Json& line, bool exact, Figures& f) {
   (exact ? f.exact_nulls : f.near_nulls) += 1;
   (exact ? f.exact_null_false_alarms : f.near_null_false_alarms) += alarm;
   f.nulls_said_unknown += line.at("score").at("said_unknown").get<bool>();
+  if (!line.contains("gain")) return;
+  ++f.null_gains;
+  f.nulls_within_1_3_floor += line.at("gain").at("over_floor").get<double>() <= 1.3;
 }
 
 void addPair(const Json& line, Figures& f, Lists& lists) {
@@ -259,6 +262,7 @@ std::string toText(const Figures& f) {
   text += row("90 % intervals: covering", {f.intervals_covering, f.intervals});
   text += row("excess test error removed, median", 100 * f.excess_error_removed_median, "%");
   text += row("test RMSE within 1.3 times the floor", {f.within_1_3_floor, f.gains});
+  text += row("  of nulls, by the nominal model", {f.nulls_within_1_3_floor, f.null_gains});
   text += row("processor time of a diagnosis, mean", f.cpu / std::max(1, f.diagnoses), "s");
   if (f.levels.size() > 1) {
     for (const auto& [name, level] : f.levels) text += rowsOf(name, level);

@@ -39,6 +39,7 @@ struct Figures {
   int diagnoses = 0, skipped = 0, failed = 0, unfinished = 0;
   int intervals = 0, intervals_covering = 0;
   int gains = 0, within_1_3_floor = 0;
+  int null_gains = 0, nulls_within_1_3_floor = 0;  // what chance leaves of a right model
   double set_size_mean = 0, parameter_error_median = 0, parameter_error_p90 = 0,
          excess_error_removed_median = 0;
   double wall = 0, cpu = 0;                    // [s] of all diagnoses

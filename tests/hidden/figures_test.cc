@@ -42,5 +42,18 @@ TEST(Figures, CountsLevelsApartAndTogether) {
   EXPECT_NE(toText(figures).find("robot level"), std::string::npos);
 }
 
+// Counts are few, chance in them is large: how near a right model comes says what the bar asks.
+TEST(Figures, OfNullsTellHowNearARightModelComes) {
+  const auto null = [](const char* over_floor) {
+    std::string text = line("exact_null", "joint", R"("false_alarm":false)");
+    text.pop_back();
+    return text + R"(,"gain":{"known":false,"removed":0,"over_floor":)" + over_floor + "}}";
+  };
+  const Figures figures = figuresOf({null("1.2"), null("1.7"), null("0.9")});
+  EXPECT_EQ(figures.null_gains, 3);
+  EXPECT_EQ(figures.nulls_within_1_3_floor, 2);
+  EXPECT_EQ(figures.gains, 0);
+}
+
 }  // namespace
 }  // namespace nao::hidden

@@ -181,8 +181,8 @@ std::string runTrial(const HiddenCase& hidden, const TrialPlace& place) {
     line["said"] = saying(report);
     line["score"] = toJson(score(sealed.truth, report));
     line["statements"] = toJson(judgeStatements(sealed.truth, report));
-    const bool alone = hidden.level == "joint";  // rigs replay the test motions
-    if (alone && !sealed.truth.hidden.empty() && report.verdict != "data_fault") {
+    const bool alone = hidden.level == "joint";  // limbs replay the test motions
+    if (alone && report.verdict != "data_fault") {
       const Gain gain = calcGain(validation::readLogSet(sealed.folder), sealed.truth, report,
                                  *loadRobotModel(place.robots_dir, hidden.robot()));
       line["gain"] = {

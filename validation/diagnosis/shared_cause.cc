@@ -9,9 +9,11 @@
 namespace nao::validation {
 namespace {
 
-constexpr double kAsGood = 0.8;  // of what the joints' own causes explain by looks: both are rough
-constexpr int kTried = 3;        // shared causes that are fitted
-constexpr double kSame = 0.03;   // of the gain: rivals within it are not told apart
+constexpr double kAsGood = 0.8;   // of what the joints' own causes explain by looks: both are rough
+constexpr int kTried = 3;         // shared causes that are fitted
+constexpr int kRounds = 4;        // of exact steps
+constexpr double kSettled = 0.2;  // of the interval: a step that is no longer worth another
+constexpr double kSame = 0.03;    // of the gain: rivals within it are not told apart
 
 // The parabola of nats that a look is worth at a scale: along * s - square * s^2 / 2, all joints.
 struct SharedLook {
@@ -147,12 +149,7 @@ void addBeats(JointCrowd& joints, double critical, std::vector<SharedCause>& fit
   }
 }
 
-// Coarse runs found it; exact ones of all joints together say by how much it is off, and null sets
-// how well they know. Sizes of clocks stay where they beat.
-void refine(JointCrowd& joints, SharedCause& shared) {
-  const Cause& cause = joints.causes()[shared.cause];
-  shared.low = shared.high = shared.x;
-  if (cause.beats) return;
+SharedStep stepOfAll(JointCrowd& joints, const SharedCause& shared) {
   SharedStep all;
   for (const SharedStep& one : joints.stepsFrom(shared.cause, shared.x)) {
     all.along += one.along;
@@ -160,12 +157,27 @@ void refine(JointCrowd& joints, SharedCause& shared) {
     all.nulls.resize(std::max(all.nulls.size(), one.nulls.size()), 0);
     for (std::size_t n = 0; n < one.nulls.size(); ++n) all.nulls[n] += one.nulls[n];
   }
-  if (all.square <= 0) return;
+  return all;
+}
+
+// Coarse runs found it; exact ones of all joints together say by how much it is off, and null sets
+// how well they know. Sizes of clocks stay where they beat.
+void refine(JointCrowd& joints, SharedCause& shared) {
+  const Cause& cause = joints.causes()[shared.cause];
   const FreeNumber& number = cause.free[0];
-  shared.x = std::clamp(shared.x + all.along / all.square, number.lower, number.upper);
-  for (double& null : all.nulls) null /= all.square;
-  shared.low = shared.x - quantile(all.nulls, 0.95);
-  shared.high = shared.x - quantile(all.nulls, 0.05);
+  shared.low = shared.high = shared.x;
+  if (cause.beats) return;
+  for (int round = 0; round < kRounds; ++round) {
+    SharedStep all = stepOfAll(joints, shared);
+    if (all.square <= 0) return;
+    const double moved = all.along / all.square;
+    shared.x = std::clamp(shared.x + moved, number.lower, number.upper);
+    for (double& null : all.nulls) null /= all.square;
+    const double above = quantile(all.nulls, 0.95), below = quantile(all.nulls, 0.05);
+    shared.low = shared.x - above;
+    shared.high = shared.x - below;
+    if (std::abs(moved) < kSettled * (above - below)) return;
+  }
 }
 
 }  // namespace
