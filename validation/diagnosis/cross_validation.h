@@ -13,7 +13,8 @@ struct CrossValidation {
   int better = 0;           // of them, in which the candidate explained what it had not seen
   double gain = 0;          // [nats] on held-out parts, all folds
   int motions_excited = 0;  // fit motions in which the candidate acts at all
-  /// What no fold can check is not named: near the threshold that is where false alarms come from.
+  /// What no fold can check is not accepted by this alone: near the threshold that is where false
+  /// alarms come from.
   bool accepted() const { return 2 * better > folds; }
   bool oneMotionOnly() const { return motions_excited < 2; }
 };
