@@ -45,6 +45,7 @@ void WholeSearch::judge(WholeVerdict& verdict) const {
 void WholeSearch::describe(WholeVerdict& verdict) const {
   verdict.rejected = rejected_;
   verdict.model = fit_.model;
+  verdict.spread = spread_;
   verdict.not_tried = not_tried_;
   if (!not_tried_.empty()) verdict.verdict = Verdict::Unfinished;
 }

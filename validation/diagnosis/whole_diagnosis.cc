@@ -57,8 +57,8 @@ class RobotCase {
   void diagnose(double false_alarms) {
     const WholeData data(simulator_, judged(simulator_.joints()), options_.level == Level::Robot);
     tell("comparing the scatter of the repeats");
-    spread_ = fitSpread(data, options_.effort.base_runs, options_.jobs);
-    into_.spreads.push_back({robot_, spread_});
+    spread_ = fitSpread(data, {}, options_.effort.base_runs, options_.jobs);
+    into_.spreads.push_back({robot_, spread_, spread_});
     if (options_.level == Level::Robot) {
       search(data, robotCauses(simulator_.model(), simulator_.joints()), "robot", false_alarms);
       listGait();
@@ -101,10 +101,12 @@ class RobotCase {
     const WholeTask task{&data,         &causes,       options_.effort,
                          spread_.noise, options_.jobs, grantedRuns(data)};
     WholeSearch search(
-        task, [&](const std::string& what) { tell(whole + ": " + what); }, false_alarms);
+        task, spread_, [&](const std::string& what) { tell(whole + ": " + what); }, false_alarms);
     const WholeVerdict found = search.run();
     const std::vector<EffectSetting> effects = settingsOf(causes, found.model);
     found_.insert(found_.end(), effects.begin(), effects.end());
+    left_noise_ = found.spread.noise;
+    if (options_.level == Level::Robot) into_.spreads.back().found = found.spread;
     addVerdict(found, whole);
     addCourse(data, effects, whole);
     into_.set.runs += data.used();
@@ -186,7 +188,7 @@ class RobotCase {
       for (const std::size_t run : block.runs) {
         addTo(measured, simulator_.measured()[run]);
         addTo(nominal, simulator_.simulate({}, run, run + 1, spread_.noise));
-        addTo(extended, simulator_.simulate(found_, run, run + 1, spread_.noise));
+        addTo(extended, simulator_.simulate(found_, run, run + 1, left_noise_));
       }
       for (const GaitNumber& number : calcGait(simulator_.measured()[block.runs.front()])) {
         const std::string& name = number.name;
@@ -200,14 +202,14 @@ class RobotCase {
   // Of the joint and the motion in which the nominal model is furthest off.
   void addCourse(const WholeData& data, const std::vector<EffectSetting>& found,
                  const std::string& whole) {
-    const auto means = [&](const std::vector<EffectSetting>& effects) {
+    const auto means = [&](const std::vector<EffectSetting>& effects, double noise) {
       return data.stackMeans(
-          meansOf(data.simulate(effects, 1, 1000000, false, 1, spread_.noise, options_.jobs)));
+          meansOf(data.simulate(effects, 1, 1000000, false, 1, noise, options_.jobs)));
     };
     std::vector<Eigen::VectorXd> runs;
     for (std::size_t run = 0; run < data.runs(); ++run) runs.push_back(data.measured(run));
-    const Eigen::VectorXd measured = data.stackMeans(runs), nominal = means({});
-    const Eigen::VectorXd extended = found.empty() ? nominal : means(found);
+    const Eigen::VectorXd measured = data.stackMeans(runs), nominal = means({}, spread_.noise);
+    const Eigen::VectorXd extended = found.empty() ? nominal : means(found, left_noise_);
     WholeDiagnosis::Course worst;
     double most = -1;
     for (std::size_t block = 0; block < data.spaces().size(); ++block) {
@@ -240,6 +242,7 @@ class RobotCase {
   WholeSimulator simulator_;
   WholeDiagnosis& into_;
   WholeSpread spread_;
+  double left_noise_ = 1;  // with what was found last
   std::vector<EffectSetting> found_;
 };
 

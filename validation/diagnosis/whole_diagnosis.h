@@ -41,7 +41,8 @@ struct WholeDiagnosis {
   SetDiagnosis set;
   struct RobotSpread {
     std::string robot;
-    WholeSpread spread;
+    WholeSpread spread;  // with the nominal model
+    WholeSpread found;   // with what was found; limb level: as above
   };
   std::vector<RobotSpread> spreads;
   std::vector<GaitRow> gait;

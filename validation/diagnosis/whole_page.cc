@@ -24,7 +24,8 @@ std::string headline(const WholeDiagnosis& diagnosis) {
   for (const auto& one : diagnosis.spreads) {
     if (!one.spread.differs) continue;
     text += "Repeats of " + one.robot + " scatter as " + fixed(one.spread.noise, 2) +
-            " times the model's torque noise would let them. ";
+            " times the model's torque noise would let them, " + fixed(one.found.noise, 2) +
+            " times with what was found. ";
   }
   return text;
 }
@@ -73,12 +74,13 @@ TextTable rejectedOf(const JointVerdict& place) {
 TextTable spreadsOf(const WholeDiagnosis& diagnosis) {
   TextTable table{"How much repeats differ",
                   {"robot", "measured SD [mrad]", "simulated SD [mrad]", "times the model's noise",
-                   "chance (99 %)"},
+                   "chance (99 %)", "with what was found"},
                   {}};
   for (const auto& one : diagnosis.spreads) {
     table.lines.push_back({one.robot, fixed(1e3 * one.spread.measured_sd, 2),
                            fixed(1e3 * one.spread.simulated_sd, 2), fixed(one.spread.noise, 2),
-                           fixed(one.spread.low, 2) + " to " + fixed(one.spread.high, 2)});
+                           fixed(one.spread.low, 2) + " to " + fixed(one.spread.high, 2),
+                           fixed(one.found.noise, 2)});
   }
   return table;
 }

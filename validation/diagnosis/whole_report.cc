@@ -9,13 +9,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// A cause that is left out passes for noise.
+std::string withFound(const WholeDiagnosis::RobotSpread& one) {
+  if (one.found.noise == one.spread.noise) return "";
+  return "; with what was found " + fixed(one.found.noise, 2) + " times";
+}
+
 std::string sentenceOf(const WholeDiagnosis::RobotSpread& one) {
   const WholeSpread& spread = one.spread;
   const std::string more = spread.noise > spread.high ? "more" : "less";
   return "process_noise: repeats of " + one.robot + " scatter " + more +
          " than the model's noise lets them: " + fixed(spread.noise, 2) +
          " times its torque noise fits them, chance gives " + fixed(spread.low, 2) + " to " +
-         fixed(spread.high, 2);
+         fixed(spread.high, 2) + withFound(one);
 }
 
 }  // namespace
@@ -26,6 +32,7 @@ std::string toJson(const WholeDiagnosis& diagnosis, const Provenance& provenance
   for (const auto& one : diagnosis.spreads) {
     spreads.push_back({{"robot", one.robot},
                        {"process_noise_scale", one.spread.noise},
+                       {"with_what_was_found", one.found.noise},
                        {"chance_99", {one.spread.low, one.spread.high}},
                        {"differs", one.spread.differs},
                        {"measured_sd_rad", one.spread.measured_sd},

@@ -23,6 +23,8 @@ constexpr double kWhiteThreshold = 6;
 // Of a look at a rough cause: sizes at which it is tried, and how many looks of one cause are.
 constexpr double kSizes[] = {0.35, 0.5, 0.7, 1, 1.4};
 constexpr std::size_t kMostLooks = 6;
+// Times the noise before, that a cause must leave for its rivals to be compared once more.
+constexpr double kLessNoise = 0.8;
 // Of what was wrong at first, that a further cause must explain at least: a replay renders a gross
 // effect to about a tenth, which leaves a hundredth of its misfit to causes that are none.
 constexpr double kLeastOfAll = 0.02;
@@ -63,8 +65,13 @@ FitSpace spaceOf(const std::vector<PlacedCause>& causes, const WholeModel& model
 
 }  // namespace
 
-WholeSearch::WholeSearch(const WholeTask& task, Progress progress, double false_alarms)
-    : task_(task), progress_(std::move(progress)), false_alarms_(false_alarms) {}
+WholeSearch::WholeSearch(const WholeTask& task, const WholeSpread& spread, Progress progress,
+                         double false_alarms)
+    : task_(task),
+      progress_(std::move(progress)),
+      false_alarms_(false_alarms),
+      nominal_(spread),
+      spread_(spread) {}
 
 WholeVerdict WholeSearch::run() {
   enter({});
@@ -80,6 +87,7 @@ WholeVerdict WholeSearch::run() {
 void WholeSearch::enter(const Fit& fit) {
   fit_ = fit;
   if (fit_.jacobian.cols() == 0) fit_.jacobian.resize(task_.data->size(), 0);
+  learnNoise();
   const std::string what = fit_.model.empty() ? "looking at every cause" : "simulating the model";
   tell(what + " and what it shows by chance");
   stage_ = std::make_unique<WholeStage>(task_, fit_.model, fit_.jacobian, stage_.get());
@@ -88,6 +96,15 @@ void WholeSearch::enter(const Fit& fit) {
   for (const std::size_t cause : stage_->notTried()) not_tried_.push_back(labelOf(cause, ""));
   fit_.residual = stage_->whitenFit(simulatedResidual(fit_.model, true));
   fit_.cost = fit_.residual.squaredNorm() / 2;
+}
+
+void WholeSearch::learnNoise() {
+  spread_ = nominal_;
+  if (!fit_.model.empty()) {
+    spread_ = fitSpread(*task_.data, settingsOf(*task_.causes, fit_.model), task_.effort.base_runs,
+                        task_.jobs);
+  }
+  task_.noise = spread_.noise;
 }
 
 Eigen::VectorXd WholeSearch::simulatedResidual(const WholeModel& model, bool fit_only) const {
@@ -200,33 +217,74 @@ bool WholeSearch::step() { return accept(rank()); }
 bool WholeSearch::accept(const std::vector<Candidate>& ranking) {
   for (const Candidate& candidate : ranking) {
     if (dropped_.count(candidate.cause) > 0) continue;
-    const double held_out = candidate.gain > critical_ ? heldOut(candidate.fit.model) : 0;
+    const double held_out =
+        candidate.gain > critical_ ? heldOut(fit_.model, candidate.fit.model) : 0;
     const std::string reason = objection(candidate, held_out);
     if (!reason.empty()) {
       rejected_.push_back({labelOf(candidate.cause, ""), candidate.gain, reason});
       continue;
     }
-    Accepted accepted;
-    accepted.gain = candidate.gain;
-    accepted.held_out = std::isnan(held_out) ? 0 : held_out;
-    accepted.folds = std::isnan(held_out) ? 0 : 1;
-    accepted.folds_better = accepted.folds;
-    accepted.share =
-        candidate.gain / std::max(1e-9, fit_.cost - static_cast<double>(fit_.residual.size()) / 4);
-    accepted.rivals = rivalsOf(ranking, candidate);
-    for (const Candidate& other : ranking) {
-      if (&other != &candidate && other.gain > critical_ && accepted.others.size() < 3) {
-        accepted.others.push_back(other.fit.model.back());
-      }
-    }
-    accepted_.push_back(accepted);
-    gained_ += candidate.gain;
-    Fit next = candidate.fit;
-    next.jacobian = jacobianOf(next.model);
-    enter(next);
+    const double noise = task_.noise;
+    take(ranking, candidate, held_out);
+    if (task_.noise < kLessNoise * noise && !accepted_.back().others.empty()) compareAgain();
     return true;
   }
   return false;
+}
+
+// Into the model, as its last cause.
+void WholeSearch::take(const std::vector<Candidate>& ranking, const Candidate& one,
+                       double held_out) {
+  Accepted accepted;
+  accepted.gain = one.gain;
+  accepted.held_out = std::isnan(held_out) ? 0 : held_out;
+  accepted.folds = std::isnan(held_out) ? 0 : 1;
+  accepted.folds_better = accepted.folds;
+  const double rows = static_cast<double>(one.fit.residual.size());
+  accepted.share = one.gain / std::max(1e-9, one.fit.cost + one.gain - rows / 4);
+  accepted.rivals = rivalsOf(ranking, one);
+  for (const Candidate& other : ranking) {
+    if (&other != &one && other.gain > critical_) {
+      accepted.others.push_back(other.fit.model.back());
+    }
+  }
+  accepted_.push_back(accepted);
+  gained_ += one.gain;
+  Fit next = one.fit;
+  next.jacobian = jacobianOf(next.model);
+  enter(next);
+}
+
+// The last cause was chosen under a noise that had to stand for what it explains, in which its
+// rivals may have drowned: all of them are fitted and compared by what noise is left.
+void WholeSearch::compareAgain() {
+  tell("comparing again with less noise");
+  WholeModel less = fit_.model;
+  less.pop_back();
+  const double before = stage_->whitenFit(simulatedResidual(less, true)).squaredNorm() / 2;
+  std::vector<WholeChosen> all = accepted_.back().others;
+  all.insert(all.begin(), fit_.model.back());
+  std::vector<Candidate> ranking(all.size());
+  inParallel(all.size(), task_.jobs, [&](std::size_t i) {
+    WholeModel model = less;
+    model.push_back(all[i]);
+    ranking[i] = {all[i].cause, 0, fitModel(model)};
+    ranking[i].gain = before - ranking[i].fit.cost;
+  });
+  std::stable_sort(ranking.begin(), ranking.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.gain > b.gain; });
+  for (const Candidate& one : ranking) {
+    const double held_out = heldOut(less, one.fit.model);
+    if (held_out <= 0 || one.gain <= critical_) continue;
+    if (one.cause != all.front().cause) {
+      rejected_.push_back({labelOf(all.front().cause, ""), accepted_.back().gain,
+                           "replaced by " + labelOf(one.cause, "") + ", as less noise is left"});
+    }
+    gained_ -= accepted_.back().gain;
+    accepted_.pop_back();
+    take(ranking, one, held_out);
+    return;
+  }
 }
 
 Eigen::MatrixXd WholeSearch::jacobianOf(const WholeModel& model) const {
@@ -250,13 +308,13 @@ Eigen::MatrixXd WholeSearch::jacobianOf(const WholeModel& model) const {
 }
 
 // Of the select blocks; not a number if there is none or the cause does nothing there.
-double WholeSearch::heldOut(const WholeModel& model) const {
+double WholeSearch::heldOut(const WholeModel& less, const WholeModel& model) const {
   const Eigen::Index held = task_.data->size() - task_.data->fitSize();
   if (held == 0) return std::numeric_limits<double>::quiet_NaN();
   const auto tailOf = [&](const WholeModel& of) {
     return stage_->whitenAll(simulatedResidual(of, false)).tail(held).eval();
   };
-  const Eigen::VectorXd before = tailOf(fit_.model), after = tailOf(model);
+  const Eigen::VectorXd before = tailOf(less), after = tailOf(model);
   if ((before - after).norm() < 2) return std::numeric_limits<double>::quiet_NaN();
   return (before.squaredNorm() - after.squaredNorm()) / 2;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "validation/diagnosis/verdict.h"
+#include "validation/diagnosis/whole_spread.h"
 #include "validation/diagnosis/whole_stage.h"
 
 namespace nao::validation {
@@ -27,17 +28,21 @@ struct WholeVerdict {
   double remainder = 0, remainder_critical = 0;
   std::string signature;               // the signals that remain, the worst first
   WholeModel model;                    // numbers of task.causes
+  WholeSpread spread;                  // with that model; as it was told if that is empty
   std::vector<std::string> not_tried;  // as the budget was spent
 };
 
 /// The search for the causes at the limb or robot level: forward selection from looks, fits by
 /// ensembles, a threshold from null sets, held-out blocks, elimination and swap, rivals, and what
-/// remains.
+/// remains. Noise is learned anew with every cause; where that leaves less of it, those that were
+/// fitted beside the cause are compared with it again.
 class WholeSearch {
  public:
   using Progress = std::function<void(const std::string&)>;
   /// `false_alarms`: the share of sets without a cause that may name one.
-  WholeSearch(const WholeTask& task, Progress progress, double false_alarms = 0.01);
+  /// `spread`: of the model without a cause; it replaces the task's noise.
+  WholeSearch(const WholeTask& task, const WholeSpread& spread, Progress progress,
+              double false_alarms = 0.01);
 
   WholeVerdict run();
 
@@ -55,11 +60,14 @@ class WholeSearch {
   };
 
   void enter(const Fit& fit);
+  void learnNoise();
   bool step();
   std::vector<Candidate> rank();
   bool accept(const std::vector<Candidate>& ranking);
+  void take(const std::vector<Candidate>& ranking, const Candidate& one, double held_out);
+  void compareAgain();
   std::string objection(const Candidate& candidate, double held_out) const;
-  double heldOut(const WholeModel& model) const;
+  double heldOut(const WholeModel& less, const WholeModel& model) const;
   void review();
   bool swapOne(std::size_t place);
   void judge(WholeVerdict& verdict) const;
@@ -83,6 +91,7 @@ class WholeSearch {
   WholeTask task_;
   Progress progress_;
   double false_alarms_;
+  WholeSpread nominal_, spread_;  // without and with the model
   std::unique_ptr<WholeStage> stage_;
   Fit fit_;  // of the model
   double critical_ = 0, spread_of_gain_ = 1;
@@ -92,7 +101,7 @@ class WholeSearch {
     double gain = 0, share = 0, held_out = 0;
     int folds = 0, folds_better = 0;
     std::vector<Rival> rivals;
-    std::vector<WholeChosen> others;  // that were fitted beside it, for the swap
+    std::vector<WholeChosen> others;  // that were fitted beside it, to compare or swap with
   };
   std::vector<Accepted> accepted_;  // in the order of the model
   std::set<std::size_t> dropped_;   // causes that a review took out: else it would go in circles

@@ -15,22 +15,34 @@ using RunsByBlock = std::vector<std::vector<Eigen::VectorXd>>;
 constexpr int kSets = 100;
 // Times the model's noise: less matters to nobody, and the feedback of a walk is worth as much.
 constexpr double kOfInterest = 1.25;
+// Of a joint's variance, that the torque noise must make for it to tell how large that is.
+constexpr double kLeastMoved = 0.1;
 
-// Variance of the joints' angles about the means of blocks, by joint.
+// The mean of every second of a course, to a list; of a shorter one the mean.
+void addSeconds(const Eigen::VectorXd& course, double dt, std::vector<double>& means) {
+  const Eigen::Index second = std::min<Eigen::Index>(course.size(), std::lround(1 / dt));
+  for (Eigen::Index at = 0; at + second <= course.size(); at += second) {
+    means.push_back(course.segment(at, second).mean());
+  }
+}
+
+// Variance of the joints' angles about the means of blocks, by joint: the median over seconds. What
+// a model lacks shakes a joint in some of them.
 std::vector<double> jointVariance(const WholeData& data,
                                   const std::vector<Eigen::MatrixXd>& deviation) {
-  const std::size_t joints = data.joints();
-  std::vector<double> sum(joints, 0), count(joints, 0);
-  for (std::size_t block = 0; block < deviation.size(); ++block) {
-    if (deviation[block].size() == 0) continue;
-    for (std::size_t g = 0; g < joints; ++g) {
+  std::vector<double> variance;
+  for (std::size_t g = 0; g < data.joints(); ++g) {
+    std::vector<double> seconds;
+    for (std::size_t block = 0; block < deviation.size(); ++block) {
+      if (deviation[block].size() == 0) continue;
       const FeatureGroup& group = data.spaces()[block].groups()[g];
-      sum[g] += deviation[block].middleRows(group.offset, group.size).squaredNorm();
-      count[g] += static_cast<double>(group.size * deviation[block].cols());
+      const auto part = deviation[block].middleRows(group.offset, group.size);
+      addSeconds(part.rowwise().squaredNorm() / static_cast<double>(part.cols()), group.dt,
+                 seconds);
     }
+    variance.push_back(seconds.empty() ? 0 : quantile(seconds, 0.5));
   }
-  for (std::size_t g = 0; g < joints; ++g) sum[g] /= std::max(1.0, count[g]);
-  return sum;
+  return variance;
 }
 
 std::vector<double> simulatedVariance(const WholeData& data, const WholePool& pool) {
@@ -48,17 +60,15 @@ std::vector<double> repeatVariance(const WholeData& data, const RunsByBlock& by_
   return jointVariance(data, deviation);
 }
 
-// x^2 of measured = still + x^2 (noisy - still), least squares over joints in units of the noisy.
+// x^2 of measured = still + x^2 (noisy - still): the median over joints that torque noise moves.
 double scaleOf(const std::vector<double>& measured, const std::vector<double>& still,
                const std::vector<double>& noisy) {
-  double num = 0, den = 0;
+  std::vector<double> squares;
   for (std::size_t j = 0; j < measured.size(); ++j) {
-    if (noisy[j] <= 0) continue;
-    const double slope = (noisy[j] - still[j]) / noisy[j];
-    num += slope * (measured[j] - still[j]) / noisy[j];
-    den += slope * slope;
+    const double moved = noisy[j] - still[j];
+    if (moved > kLeastMoved * noisy[j]) squares.push_back((measured[j] - still[j]) / moved);
   }
-  return std::sqrt(std::max(0.0025, den > 0 ? num / den : 1));
+  return squares.empty() ? 1 : std::sqrt(std::max(0.0025, quantile(squares, 0.5)));
 }
 
 // As many simulated runs as were measured, drawn at random, each less its mean.
@@ -79,7 +89,8 @@ RunsByBlock drawSet(const WholeData& data, const WholePool& pool, Random& random
 
 }  // namespace
 
-WholeSpread fitSpread(const WholeData& data, int runs, int jobs) {
+WholeSpread fitSpread(const WholeData& data, const std::vector<EffectSetting>& causes, int runs,
+                      int jobs) {
   std::size_t most = 0;
   RunsByBlock measured;
   for (const WholeBlock& block : data.simulator().blocks()) {
@@ -89,8 +100,8 @@ WholeSpread fitSpread(const WholeData& data, int runs, int jobs) {
   if (most < 2) return spread;
   const int per_run = std::max(4, perRun(runs, most));
   const auto streams = static_cast<std::uint64_t>(WholeStream::Noise);
-  const WholePool noisy = data.simulate({}, per_run, most, false, streams, 1, jobs);
-  const WholePool still = data.simulate({}, 2, most, false, streams, 1e-6, jobs);
+  const WholePool noisy = data.simulate(causes, per_run, most, false, streams, 1, jobs);
+  const WholePool still = data.simulate(causes, 2, most, false, streams, 1e-6, jobs);
   const std::vector<double> full = simulatedVariance(data, noisy);
   const std::vector<double> rest = simulatedVariance(data, still);
   for (const WholeBlock& block : data.simulator().blocks()) {

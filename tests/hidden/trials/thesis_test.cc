@@ -126,6 +126,20 @@ TEST(Thesis, ATurnOfHalfTheAngleIsASlipperyFloor) {
   EXPECT_NEAR(gaitOf(found, "turn_rad", &validation::GaitRow::extended), measured, 0.1 * nominal);
 }
 
+// A walk of 0.28 m for 0.37: whether a rate limit or the battery is told depends on how much of what
+// the battery does passes for noise.
+TEST(Thesis, AWalkOfTwoThirdsIsAWeakBattery) {
+  const WholeDiagnosis found = diagnose(hiding(Scene::Walk, "voltage_sag", 0.62, ""), whole());
+  const double measured = gaitOf(found, "ahead_m", &validation::GaitRow::measured);
+  EXPECT_LT(measured, 0.85 * gaitOf(found, "ahead_m", &validation::GaitRow::nominal));
+  ASSERT_EQ(named(found).size(), 1u);
+  EXPECT_EQ(named(found).front().first, "voltage_sag.drop at robot");
+  EXPECT_NEAR(numberOf(*named(found).front().second, "drop"), 0.62, 0.03);
+  // Its repeats scatter as the battery lets them, with no more noise than a Nao has.
+  const auto& spread = found.spreads.front();
+  EXPECT_LT(spread.found.noise, 0.8 * spread.spread.noise);
+}
+
 // Figures 25 and 26: a status interval of 100 ms at a log of 100 Hz.
 TEST(Thesis, AStatusIntervalIsAHoldNotALatency) {
   const auto model = test::robot("nao_h21_v33");

@@ -74,7 +74,7 @@ TEST(WholeDiagnosis, OfTwoRobotsBlamesTheFaultyOne) {
 TEST(WholeSpread, TellsThatRepeatsScatterMoreThanTheModel) {
   const WholeSimulator simulator(record({}, 3, 1), test::robot("nao_h21_v33"));
   const WholeData data(simulator, simulator.joints(), false);
-  const WholeSpread spread = fitSpread(data, 12, 1);
+  const WholeSpread spread = fitSpread(data, {}, 12, 1);
   EXPECT_TRUE(spread.differs);
   EXPECT_NEAR(spread.noise, 3, 0.7);
 }
