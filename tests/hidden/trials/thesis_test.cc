@@ -128,7 +128,7 @@ TEST(Thesis, ATurnOfHalfTheAngleIsASlipperyFloor) {
 
 // A walk of 0.28 m for 0.37: whether a rate limit or the battery is told depends on how much of what
 // the battery does passes for noise.
-TEST(Thesis, AWalkOfTwoThirdsIsAWeakBattery) {
+TEST(Thesis, AShortWalkIsAWeakBattery) {
   const WholeDiagnosis found = diagnose(hiding(Scene::Walk, "voltage_sag", 0.62, ""), whole());
   const double measured = gaitOf(found, "ahead_m", &validation::GaitRow::measured);
   EXPECT_LT(measured, 0.85 * gaitOf(found, "ahead_m", &validation::GaitRow::nominal));
