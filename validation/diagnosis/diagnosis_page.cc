@@ -147,15 +147,23 @@ std::string testsOf(const Provenance& provenance) {
          (openings == 1 ? std::string("once") : std::to_string(openings) + " times") + " so far.";
 }
 
+std::string runsAssumed(int repeats) {
+  if (repeats < 2) {
+    return "Motions were run once, so that nothing tells noise from error: causes were chosen by "
+           "what "
+           "they predict of runs that their numbers were not fitted to.";
+  }
+  return "Runs of one motion (" + std::to_string(repeats) +
+         " or more were measured) differ by random torques with a memory, by a late start and by "
+         "the encoder's counts, as fitted to them.";
+}
+
 // What the verdict stands on beside the data.
 std::string assumptionsOf(const SetDiagnosis& diagnosis) {
   int repeats = diagnosis.joints.front().repeats;
   for (const JointVerdict& joint : diagnosis.joints) repeats = std::min(repeats, joint.repeats);
-  return "<h2>Assumed</h2>\n<ul>\n<li>Runs of one motion (" + std::to_string(repeats) +
-         " or more were measured) differ by random torques with a memory, by a late start and by "
-         "the encoder's counts, as fitted to them" +
-         (repeats > 1 ? "" : "; a single run tells nothing of that") +
-         ".</li>\n<li>Robots of one kind differ undeclared by up to 2 % in masses and gains, 5 % "
+  return "<h2>Assumed</h2>\n<ul>\n<li>" + runsAssumed(repeats) +
+         "</li>\n<li>Robots of one kind differ undeclared by up to 2 % in masses and gains, 5 % "
          "in inertias, 10 % in friction and 0.1 degree in their zeros: less is never named, and is "
          "part of every interval.</li>\n<li>Joints that nobody measured hold what they were told; "
          "the base does not move.</li>\n<li>What acts is in the catalogue, or is told as "

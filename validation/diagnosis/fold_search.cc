@@ -138,6 +138,7 @@ class FoldSearch {
     JointVerdict& verdict = found.verdict;
     verdict.joint = joint_.joint();
     verdict.with_repeats = false;
+    verdict.repeats = 1;
     MotionFit::Result fit = fits_.fit().fit(model_.of_all, fits_.all());
     fits_.fit().linearise(fit, fits_.all());
     found.fitted = fit.residual.cwiseAbs().mean();
