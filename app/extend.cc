@@ -16,7 +16,7 @@ struct Options {
   std::string report, model = "nao_h21_v33", robots_dir = "robots", name;
   std::string set;
   std::vector<std::string> accept;
-  bool empirical = false;
+  bool empirical = false, causes_only = false;
   int jobs = 1;
 };
 
@@ -60,10 +60,17 @@ void run(const Options& options) {
       causes.push_back(std::move(one));
     }
   }
+  const std::size_t accepted = causes.size();
+  if (!options.causes_only) {
+    for (EffectSetting& one : validation::reportedAdjustments(report, *model)) {
+      causes.push_back(std::move(one));
+    }
+  }
   const std::string file = validation::writeExtendedRobot(
       robots, options.name, *model, causes, "Accepted from the diagnosis in " + options.report);
-  std::printf("%s: %s with %zu more effect%s\n", file.c_str(), options.model.c_str(), causes.size(),
-              causes.size() == 1 ? "" : "s");
+  std::printf("%s: %s with %zu more effect%s", file.c_str(), options.model.c_str(), accepted,
+              accepted == 1 ? "" : "s");
+  std::printf(" and %zu small adjustments\n", causes.size() - accepted);
 }
 
 }  // namespace
@@ -77,6 +84,8 @@ void addExtend(CLI::App& app) {
                       "Causes to accept, rivals too. Default: all that are named alone.");
   command->add_flag("--empirical", options->empirical,
                     "Also what has no name: the signature of what remains, as a torque.");
+  command->add_flag("--causes-only", options->causes_only,
+                    "Without the small adjustments that the report lists beside the causes.");
   command->add_option("--set", options->set, "The diagnosed set, for --empirical.");
   command->add_option("--jobs", options->jobs, "Threads; the result is the same.")
       ->check(CLI::Range(1, 64));

@@ -17,7 +17,9 @@ constexpr double kVisible = 1.15;  // misfit of the nominal model below which no
 
 std::vector<EffectSetting> settingsOf(const GivenReport& report, const RobotModel& model) {
   std::vector<EffectSetting> settings;
-  for (const GivenCause& cause : report.causes) {
+  std::vector<GivenCause> told = report.causes;
+  told.insert(told.end(), report.adjustments.begin(), report.adjustments.end());
+  for (const GivenCause& cause : told) {
     if (!cause.has_number || cause.effect.empty()) continue;
     EffectSetting setting = neutralSetting(cause.effect, sim::standardEffects());
     setting.parameters[cause.parameter] = cause.value;

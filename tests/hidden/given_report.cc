@@ -18,15 +18,8 @@ validation::StatementKind kindOf(const Json& from) {
           record.at("repeats")};
 }
 
-GivenCause causeOf(const Json& finding, const std::string& joint) {
-  GivenCause cause;
-  cause.cause = finding.at("cause");
-  cause.effect = finding.at("effect");
-  cause.joint = joint;
-  cause.gain = finding.at("gain_nats");
-  cause.kind = kindOf(finding);
-  for (const Json& rival : finding.at("rivals")) cause.rivals.push_back(rival.at("cause"));
-  for (const Json& number : finding.at("numbers")) {
+void readNumbers(const Json& numbers, GivenCause& cause) {
+  for (const Json& number : numbers) {
     const double value = number.at("value").is_null() ? 0 : number.at("value").get<double>();
     if (cause.has_number) {
       cause.shape.emplace_back(number.at("parameter"), value);
@@ -40,6 +33,26 @@ GivenCause causeOf(const Json& finding, const std::string& joint) {
     cause.low = read(number.at("interval_90").at(0));
     cause.high = read(number.at("interval_90").at(1));
   }
+}
+
+GivenCause causeOf(const Json& finding, const std::string& joint) {
+  GivenCause cause;
+  cause.cause = finding.at("cause");
+  cause.effect = finding.at("effect");
+  cause.joint = joint;
+  cause.gain = finding.at("gain_nats");
+  cause.kind = kindOf(finding);
+  for (const Json& rival : finding.at("rivals")) cause.rivals.push_back(rival.at("cause"));
+  readNumbers(finding.at("numbers"), cause);
+  return cause;
+}
+
+GivenCause adjustmentOf(const Json& adjustment, const std::string& joint) {
+  GivenCause cause;
+  cause.cause = adjustment.at("cause");
+  cause.effect = adjustment.at("effect");
+  cause.joint = joint;
+  readNumbers(adjustment.at("numbers"), cause);
   return cause;
 }
 
@@ -70,6 +83,9 @@ GivenReport readReport(const std::string& text) {
         report.joints.push_back(
             {joint.at("joint"), joint.at("verdict"), joint.at("signature"), kindOf(joint)});
         addCauses(joint.at("findings"), joint.at("joint"), report);
+        for (const Json& one : joint.value("adjustments", Json::array())) {
+          report.adjustments.push_back(adjustmentOf(one, joint.at("joint")));
+        }
       }
     }
     std::stable_sort(report.causes.begin(), report.causes.end(),

@@ -66,7 +66,8 @@ TEST(HiddenSet, LooksAlikesAreListedBeforehandAndOthersAreNot) {
   EXPECT_FALSE(listed("kp_error"));
 }
 
-// It turns about the vertical: its zero shows nowhere but where it meets its stop that much earlier.
+// It turns about the vertical: its zero shows nowhere but where it meets its stop that much
+// earlier.
 TEST(HiddenSet, AZeroThatMeetsAStopLooksLikeAStopThatWasMoved) {
   HiddenCase hidden = friction(8);
   hidden.kind = Kind::Single;

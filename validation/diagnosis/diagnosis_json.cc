@@ -65,9 +65,16 @@ Json toJson(const JointVerdict& joint) {
   for (const Rejected& one : joint.rejected) {
     rejected.push_back({{"cause", one.cause}, {"gain_nats", one.gain}, {"reason", one.reason}});
   }
+  Json adjustments = Json::array();
+  for (const Adjustment& one : joint.adjustments) {
+    adjustments.push_back({{"cause", one.cause},
+                           {"effect", one.effect},
+                           {"numbers", toJson(std::vector{one.number})}});
+  }
   return {{"joint", joint.joint},
           {"verdict", wordOf(joint.verdict)},
           {"findings", findings},
+          {"adjustments", adjustments},
           {"rejected", rejected},
           {"not_tried", joint.not_tried},
           {"critical_gain_nats", joint.critical_gain},

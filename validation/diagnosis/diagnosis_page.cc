@@ -90,6 +90,23 @@ TextTable findingsOf(const JointVerdict& joint) {
   return table;
 }
 
+TextTable adjustmentsOf(const std::vector<Examined>& joints) {
+  TextTable table{"What this robot differs by beside that, as robots of one kind do",
+                  {"joint", "number", "likeliest deviation", "90 %"},
+                  {}};
+  for (const Examined& joint : joints) {
+    for (const Adjustment& one : joint.verdict->adjustments) {
+      FoundNumber middle = one.number, low = middle, high = middle;
+      middle.value = middle.deviation;
+      low.value = low.low;
+      high.value = high.high;
+      table.lines.push_back({joint.verdict->joint, one.cause, valueText(middle),
+                             valueText(low) + " to " + valueText(high)});
+    }
+  }
+  return table;
+}
+
 TextTable rejectedOf(const JointVerdict& joint) {
   TextTable table{"Not taken", {"cause", "gain [nats]", "why"}, {}};
   for (const Rejected& one : joint.rejected) {
@@ -196,6 +213,8 @@ std::string diagnosisPage(const SetDiagnosis& diagnosis, const std::vector<Exami
   for (const Examined& joint : joints) {
     if (isOfInterest(joint)) body += chapterOf(joint);
   }
+  const TextTable adjustments = adjustmentsOf(joints);
+  if (!adjustments.lines.empty()) body += toHtml(adjustments);
   return htmlPage("Diagnosis of " + provenance.set, body + originOf(diagnosis, provenance));
 }
 

@@ -84,6 +84,10 @@ std::vector<EffectSetting> foundEffects(const SetDiagnosis& diagnosis, const Joi
     effects.push_back(settingOf(finding));
     effects.back().joints = place;
   }
+  for (const Adjustment& one : joint.adjustments) {
+    effects.push_back(settingOf(one.effect, {one.number}));
+    effects.back().joints = place;
+  }
   return effects;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iomanip>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -18,11 +19,28 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
+// A report gives the numbers that were fitted; what was not is as if switched off.
+EffectSetting settingOf(const Json& cause, const std::vector<Joint>& joints,
+                        const std::string& file) {
+  const std::string id = cause.at("cause");
+  const std::string effect = cause.value("effect", id.substr(0, id.find('.')));
+  if (sim::standardEffects().find(effect) == nullptr) {
+    throw InputError(file + ": '" + effect + "' is no effect of the catalogue");
+  }
+  EffectSetting setting = neutralSetting(effect, sim::standardEffects());
+  setting.joints = joints;
+  setting.place = file;
+  for (const Json& number : cause.at("numbers")) {
+    setting.parameters.at(number.at("parameter")) = number.at("value");
+  }
+  return setting;
+}
+
 /// Takes effects out of a report, one finding after the other.
 class Acceptance {
  public:
-  Acceptance(std::string file, const std::vector<std::string>& accept, const RobotModel& model)
-      : file_(std::move(file)), wanted_(accept.begin(), accept.end()), model_(model) {}
+  Acceptance(std::string file, const std::vector<std::string>& accept)
+      : file_(std::move(file)), wanted_(accept.begin(), accept.end()) {}
 
   void takeFrom(const Json& finding, const std::vector<Joint>& joints) {
     held_.insert(finding.at("cause").get<std::string>());
@@ -53,20 +71,8 @@ class Acceptance {
     return finding.at("rivals").empty() && !finding.value("below_size_of_interest", false);
   }
 
-  // A report gives the numbers that were fitted; what was not is as if switched off.
   void take(const Json& cause, const std::vector<Joint>& joints) {
-    const std::string id = cause.at("cause");
-    const std::string effect = cause.value("effect", id.substr(0, id.find('.')));
-    if (sim::standardEffects().find(effect) == nullptr) {
-      throw InputError(file_ + ": '" + effect + "' is no effect of the catalogue");
-    }
-    EffectSetting setting = neutralSetting(effect, sim::standardEffects());
-    setting.joints = joints;
-    setting.place = file_;
-    for (const Json& number : cause.at("numbers")) {
-      setting.parameters.at(number.at("parameter")) = number.at("value");
-    }
-    settings_.push_back(std::move(setting));
+    settings_.push_back(settingOf(cause, joints, file_));
   }
 
   static std::string list(const std::set<std::string>& ids) {
@@ -77,14 +83,17 @@ class Acceptance {
 
   std::string file_;
   std::set<std::string> wanted_, held_;
-  const RobotModel& model_;
   std::vector<EffectSetting> settings_;
 };
 
-Json readReport(const std::string& file) {
+void readReport(const std::string& file, const std::function<void(const Json&)>& take) {
   std::ifstream in(file);
   if (!in) throw InputError(file + ": can not be read, expected the report.json of a diagnosis");
-  return Json::parse(in);
+  try {
+    take(Json::parse(in));
+  } catch (const Json::exception& error) {
+    throw InputError(file + ": expected the report.json of a diagnosis: " + error.what());
+  }
 }
 
 Joint jointOf(const std::string& name, const std::string& file, const RobotModel& model) {
@@ -117,18 +126,29 @@ std::string lineOf(const EffectSetting& setting, const RobotModel& model) {
 std::vector<EffectSetting> acceptedEffects(const std::string& report_file,
                                            const std::vector<std::string>& accept,
                                            const RobotModel& model) {
-  Acceptance acceptance(report_file, accept, model);
-  try {
-    const Json report = readReport(report_file);
+  Acceptance acceptance(report_file, accept);
+  readReport(report_file, [&](const Json& report) {
     for (const Json& finding : report.at("shared")) acceptance.takeFrom(finding, {});
     for (const Json& joint : report.at("joints")) {
       const Joint place = jointOf(joint.at("joint"), report_file, model);
       for (const Json& finding : joint.at("findings")) acceptance.takeFrom(finding, {place});
     }
-  } catch (const Json::exception& error) {
-    throw InputError(report_file + ": expected the report.json of a diagnosis: " + error.what());
-  }
+  });
   return acceptance.finish();
+}
+
+std::vector<EffectSetting> reportedAdjustments(const std::string& report_file,
+                                               const RobotModel& model) {
+  std::vector<EffectSetting> settings;
+  readReport(report_file, [&](const Json& report) {
+    for (const Json& joint : report.at("joints")) {
+      const Joint place = jointOf(joint.at("joint"), report_file, model);
+      for (const Json& one : joint.value("adjustments", Json::array())) {
+        settings.push_back(settingOf(one, {place}, report_file));
+      }
+    }
+  });
+  return settings;
 }
 
 void requireNewRobot(const std::string& robots_dir, const std::string& name) {

@@ -16,6 +16,12 @@ std::vector<EffectSetting> acceptedEffects(const std::string& report_file,
                                            const std::vector<std::string>& accept,
                                            const RobotModel& model);
 
+/// What the report says that this robot differs by beside them: too little to be a cause, joint by
+/// joint.
+/// @throws InputError as above.
+std::vector<EffectSetting> reportedAdjustments(const std::string& report_file,
+                                               const RobotModel& model);
+
 /// @throws InputError unless `name` can be that of a robot that is not there yet.
 void requireNewRobot(const std::string& robots_dir, const std::string& name);
 

@@ -10,6 +10,8 @@ namespace nao::validation {
 namespace {
 
 constexpr double kLow = 0.05, kHigh = 0.95;  // of a 90 % interval
+constexpr double kNormal90 = 1.645;          // [SD] its half, of a normal distribution
+constexpr double kTold = 0.2;  // of a small difference's variance that data must take away
 
 std::vector<FoundNumber> numbersOf(const Cause& cause, const std::vector<double>& x) {
   std::vector<FoundNumber> numbers;
@@ -93,6 +95,23 @@ void JointSearch::describe(JointVerdict& verdict) {
     finding.experiment = cause.separate;
     verdict.findings.push_back(std::move(finding));
   }
+  verdict.adjustments = adjustments();
+}
+
+// Of what the data do not tell it is not worth a line.
+std::vector<Adjustment> JointSearch::adjustments() const {
+  std::vector<Adjustment> all;
+  for (const SmallDifference& one : stage_->smallDifferences(left_)) {
+    if (one.known < kTold) continue;
+    const Cause& cause = causes_[one.cause];
+    std::vector<double> x = startsOf(cause).front();
+    x[0] = one.x;
+    FoundNumber number = numbersOf(cause, x).front();
+    number.low = number.deviation - kNormal90 * one.sd;
+    number.high = number.deviation + kNormal90 * one.sd;
+    all.push_back({cause.id, cause.effect, number});
+  }
+  return all;
 }
 
 void JointSearch::judge(JointVerdict& verdict) {
@@ -131,6 +150,7 @@ void JointSearch::judge(JointVerdict& verdict) {
                                      [](const Finding* one) { return !one->rivals.empty(); });
   if (remains) {
     doubt(verdict);
+    verdict.adjustments.clear();  // they would stand in for what has no name
     verdict.signature = signatureOf(data_, *stage_, causes_).text();
   }
   if (ensemble_.spent() && (remains || !not_tried_.empty())) {

@@ -26,6 +26,13 @@ bool samePlace(const Cause& a, const Cause& b) {
          b.id.rfind(b.effect + ".", 0) == 0;
 }
 
+// Of all causes, a row per column of the fit's sensitivities.
+Eigen::VectorXd numbersOf(const CauseList& model) {
+  std::vector<double> all;
+  for (const Chosen& one : model) all.insert(all.end(), one.x.begin(), one.x.end());
+  return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
+}
+
 }  // namespace
 
 // How much less a rival may explain. A law that only resembles its cause of the catalogue does not
@@ -268,12 +275,16 @@ bool JointSearch::keepOnly(const SmallerModel& smaller) {
 
 // The last numbers, and their intervals, are by exact runs alone.
 void JointSearch::refine() {
+  left_ = stage_->raw();
   if (fit_.model.empty() || ensemble_.spent()) return;
   fit_.model = stage_->model();  // where its residual was taken
   setExactSlopes(ensemble_, causes_, effort_.base_runs / 3, *stage_, fit_);
   moveNumbers(fit_, stage_->raw(), *stage_, causes_);
   const RunPool pool = ensemble_.pool(settingsOf(causes_, fit_.model), effort_.base_runs);
-  moveNumbers(fit_, data_.mean() - pool.mean, *stage_, causes_);
+  left_ = data_.mean() - pool.mean;
+  const Eigen::VectorXd before = numbersOf(fit_.model);
+  moveNumbers(fit_, left_, *stage_, causes_);
+  left_ -= fit_.jacobian * (numbersOf(fit_.model) - before);
 }
 
 }  // namespace nao::validation

@@ -120,6 +120,7 @@ class JointSearch {
   Eigen::VectorXd leftAtFit() const;
   std::vector<ProfilePoint> profileOf(std::size_t place, const FoundNumber& number);
   void reject(std::size_t cause, double gain, const std::string& reason);
+  std::vector<Adjustment> adjustments() const;
   void judge(JointVerdict& verdict);
   void describe(JointVerdict& verdict);
   void rejectTheRest();
@@ -132,7 +133,8 @@ class JointSearch {
   JointData data_;
   Ensemble ensemble_;
   std::unique_ptr<Stage> stage_;
-  ModelFit fit_;  // of the model, where it is not empty
+  ModelFit fit_;          // of the model, where it is not empty
+  Eigen::VectorXd left_;  // raw residual where its numbers came to rest
   NullRecord nulls_, others_;
   std::vector<std::size_t> given_;
   double misfit_before_ = 0, split_ratio_ = 0;

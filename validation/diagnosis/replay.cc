@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/check.h"
+#include "validation/diagnosis/start_offsets.h"
 
 namespace nao::validation {
 namespace {
@@ -12,21 +13,26 @@ struct Sums {
   double error = 0, absolute = 0, explained = 0, floor = 0, real = 0, simulated = 0, noise_free = 0;
   double samples = 0;
 
-  void add(const JointMotion& motion, const RunSpread& measured, const RunSpread& ensemble,
-           const Eigen::VectorXd& alone, int runs) {
-    const auto repeats = static_cast<double>(motion.repeats.size());
+  void addError(const RunSpread& measured, const RunSpread& ensemble, double repeats, int runs) {
     // A single run has no spread of its own: that of the model stands in.
     const Eigen::VectorXd& spread = repeats > 1 ? measured.variance : ensemble.variance;
     error += (measured.mean - ensemble.mean).squaredNorm();
     absolute += (measured.mean - ensemble.mean).cwiseAbs().sum();
     explained += (spread / repeats + ensemble.variance / runs).sum();
     floor += spread.sum() / repeats;
-    real += measured.variance.sum();
-    simulated += ensemble.variance.sum();
-    noise_free += (measured.mean - alone).squaredNorm();
     samples += static_cast<double>(measured.mean.size());
   }
+  void addSpread(const RunSpread& measured, const RunSpread& ensemble) {
+    real += measured.variance.sum();
+    simulated += ensemble.variance.sum();
+  }
 };
+
+// Against `reference`, the start of every run fitted.
+RunSpread spreadAbout(const std::vector<Eigen::MatrixXd>& runs, const Eigen::VectorXd& reference,
+                      double dt, double start_sd) {
+  return spreadOf(startedAlike(runs, reference, dt, start_sd), 0);
+}
 
 }  // namespace
 
@@ -53,8 +59,15 @@ JointReplay replayJoint(const JointSimulator& joint, const std::vector<EffectSet
     }
     JointNoise none;
     none.quantum = noise.quantum;
-    sums.add(motion, spreadOf(motion.repeats, 0), spreadOf(simulated, 0),
-             joint.run(causes, m, 0, none).col(0), runs);
+    const auto about = [&](const std::vector<Eigen::MatrixXd>& some, const Eigen::VectorXd& mean) {
+      return spreadAbout(some, mean, motion.dt, noise.start_sd);
+    };
+    const RunSpread ensemble = spreadOf(simulated, 0);
+    sums.addSpread(spreadOf(motion.repeats, 0), ensemble);
+    sums.addError(about(motion.repeats, ensemble.mean), about(simulated, ensemble.mean),
+                  static_cast<double>(motion.repeats.size()), runs);
+    const Eigen::VectorXd alone = joint.run(causes, m, 0, none).col(0);
+    sums.noise_free += (about(motion.repeats, alone).mean - alone).squaredNorm();
   }
   JointReplay replay;
   replay.joint = joint.joint();

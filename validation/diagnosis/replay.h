@@ -7,7 +7,8 @@
 
 namespace nao::validation {
 
-/// How far the model is from the measurement of one joint's angle, over some motions.
+/// How far the model is from the measurement of one joint's angle, over some motions. When a run
+/// began is fitted wherever two are compared, within what its noise lets starts differ by.
 struct JointReplay {
   std::string joint;
   double rmse = 0;          // [rad] mean of the repeats against mean of the simulated runs

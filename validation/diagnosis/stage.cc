@@ -169,6 +169,7 @@ Eigen::MatrixXd Stage::directions(const Effort& effort, double start_sd) {
   for (const Look& one : looks_) {  // the first look at each cause
     if (causes_[one.cause].spread > 0 && one.cause != seen) {
       columns.push_back(one.raw.mean() * (causes_[one.cause].spread / one.x[0]));
+      undeclared_causes_.push_back(one.cause);
     }
     seen = one.cause;
   }
@@ -178,6 +179,21 @@ Eigen::MatrixXd Stage::directions(const Effort& effort, double start_sd) {
     all.col(static_cast<Eigen::Index>(i)) = columns[i];
   undeclared_ = all.rightCols(static_cast<Eigen::Index>(columns.size() - own));
   return all;
+}
+
+// Of a number that is spread by one SD and a residual that holds it beside other disturbances, both
+// whitened with it in them: mean and variance of what it is.
+std::vector<SmallDifference> Stage::smallDifferences(const Eigen::VectorXd& raw) const {
+  const Eigen::VectorXd residual = white(raw);
+  std::vector<SmallDifference> found;
+  for (std::size_t i = 0; i < undeclared_causes_.size(); ++i) {
+    const Eigen::VectorXd direction = white(undeclared_.col(static_cast<Eigen::Index>(i)));
+    const double spread = causes_[undeclared_causes_[i]].spread;
+    const double known = std::min(1.0, direction.squaredNorm());
+    found.push_back({undeclared_causes_[i], spread * direction.dot(residual),
+                     spread * std::sqrt(1 - known), known});
+  }
+  return found;
 }
 
 // The model's own numbers: what they may be off by is part of their intervals.

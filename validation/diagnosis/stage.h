@@ -43,6 +43,13 @@ struct Look {
 
 /// A model, compared with the measurement: residual, its whitening, one look at every cause that
 /// is not part of the model, and what the residual would be if the model were right.
+/// One of what equal robots differ by, as a residual shows it.
+struct SmallDifference {
+  std::size_t cause = 0;
+  double x = 0, sd = 0;  // the likeliest number, and what it may still be off by
+  double known = 0;      // part of its spread that the data take away: 0 nothing, 1 all
+};
+
 class Stage {
  public:
   /// `jacobian`: the change of the prediction per number of the model, column by column. `given`:
@@ -84,6 +91,10 @@ class Stage {
   Halves whitenFit(const Halves& raw) const;
   Eigen::VectorXd whitenAll(const Eigen::VectorXd& raw) const { return all_(raw); }
 
+  /// What equal robots differ by, where a residual of all motions is left by the model's numbers at
+  /// their best: those of the joint itself that are not among them.
+  std::vector<SmallDifference> smallDifferences(const Eigen::VectorXd& raw) const;
+
   /// What a look explains of a white() residual at its best scale [nats].
   static double gain(const Look& look, const Eigen::VectorXd& white, double* scale = nullptr);
   /// The largest gain of any look.
@@ -112,6 +123,7 @@ class Stage {
   std::vector<Look> looks_;
   // One SD of each difference between equal robots but for the model's own numbers.
   Eigen::MatrixXd undeclared_;
+  std::vector<std::size_t> undeclared_causes_;  // of its first columns; the others are beyond
   Whitening fit_, all_;
   Eigen::MatrixXd own_fit_, own_all_;  // orthonormal: what the model's numbers explain
   std::vector<Eigen::VectorXd> nulls_;

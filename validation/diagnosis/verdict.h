@@ -66,6 +66,14 @@ struct Finding {
   std::string record{};                 // how such statements turned out where the truth was known
 };
 
+/// What a robot of the same kind differs by, too little to be a cause: the number that is likeliest
+/// as equal robots are spread and the joint's residual is. Shrunk: where the data say little it is
+/// near nominal.
+struct Adjustment {
+  std::string cause, effect;  // ids in the catalogues
+  FoundNumber number;
+};
+
 /// What became of a candidate that is not part of the model.
 struct Rejected {
   std::string cause;
@@ -87,7 +95,8 @@ enum class Verdict {
 struct JointVerdict {
   std::string joint;
   Verdict verdict = Verdict::NoDiscrepancy;
-  std::vector<Finding> findings;  // in the order they were found
+  std::vector<Finding> findings;          // in the order they were found
+  std::vector<Adjustment> adjustments{};  // beside them
   std::vector<Rejected> rejected;
   std::vector<std::string> not_tried;
   double critical_gain = 0;                            // [nats] the threshold, of the whole set

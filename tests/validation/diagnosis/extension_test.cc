@@ -22,7 +22,9 @@ const char* const kReport = R"({
       {"cause": "backlash", "effect": "backlash", "numbers": [{"parameter": "width", "value": 0.01}],
        "rivals": [{"cause": "link_com.z", "numbers": [{"parameter": "z", "value": -0.004}]}]},
       {"cause": "kp_error", "effect": "kp_error", "numbers": [{"parameter": "part", "value": 0.02}],
-       "rivals": [], "below_size_of_interest": true}]},
+       "rivals": [], "below_size_of_interest": true}],
+     "adjustments": [{"cause": "kd_error", "effect": "kd_error",
+                      "numbers": [{"parameter": "part", "value": -0.01}]}]},
     {"joint": "RAnkleRoll", "findings": [
       {"cause": "coulomb_friction", "effect": "coulomb_friction", "rivals": [],
        "numbers": [{"parameter": "torque", "value": 0.2}]}]}]})";
@@ -68,6 +70,13 @@ TEST_F(ExtensionTest, ARivalIsTakenByItsIdWithItsOwnNumbersAndNothingElse) {
   ASSERT_THAT(namesOf(one), ElementsAre("link_com"));
   EXPECT_EQ(one[0].parameters.at("z"), -0.004);
   EXPECT_EQ(one[0].parameters.at("x"), 0);  // not its nominal 5 mm
+}
+
+TEST_F(ExtensionTest, SmallAdjustmentsAreTheirJointsOwn) {
+  const std::vector<EffectSetting> adjustments = reportedAdjustments(report_, *model_);
+  ASSERT_THAT(namesOf(adjustments), ElementsAre("kd_error"));
+  EXPECT_EQ(adjustments[0].parameters.at("part"), -0.01);
+  EXPECT_THAT(adjustments[0].joints, ElementsAre(*model_->findJoint("LKneePitch")));
 }
 
 TEST_F(ExtensionTest, SaysWhatItCouldHaveTaken) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "tests/validation/diagnosis/toy_joint.h"
 
@@ -69,6 +70,31 @@ TEST(JointSearch, NamesAWeakServoAndHowWeakItIs) {
   EXPECT_LE(verdict.findings[0].numbers[0].low, -0.3);
   EXPECT_GE(verdict.findings[0].numbers[0].high, -0.3);
   EXPECT_LT(verdict.misfit_after, 1.15);
+}
+
+// 0.08 degree of zero and 1.5 % of gain: robots of one kind differ by that, so that it is no cause.
+TEST(JointSearch, TellsWhatARobotDiffersByWithoutNamingIt) {
+  ToyLaws laws;
+  laws.zero = 1.4e-3;
+  laws.kd *= 1.015;
+  laws.deadband = 0.012;
+  const JointVerdict verdict = diagnose(laws, test::toyCauses());
+  ASSERT_EQ(verdict.verdict, Verdict::Named);
+  EXPECT_EQ(verdict.findings[0].cause, "servo_deadband");
+  std::map<std::string, FoundNumber> told;
+  for (const Adjustment& one : verdict.adjustments) told[one.cause] = one.number;
+  EXPECT_EQ(told.count("servo_deadband"), 0u);
+  for (const auto& [cause, truth] : std::map<std::string, double>{
+           {"encoder_offset", 1.4e-3}, {"kd_error", 0.015}, {"kp_error", 0}}) {
+    ASSERT_EQ(told.count(cause), 1u) << cause;
+    EXPECT_GE(truth, told[cause].low) << cause;
+    EXPECT_LE(truth, told[cause].high) << cause;
+  }
+  EXPECT_GT(told["encoder_offset"].deviation, 0.7e-3);
+}
+
+TEST(JointSearch, AdjustsNothingBesideWhatHasNoName) {
+  EXPECT_TRUE(diagnose(deadServo(), without({"servo_deadband"})).adjustments.empty());
 }
 
 TEST(JointSearch, SaysUnknownOfACauseThatIsNotInItsCatalogue) {
