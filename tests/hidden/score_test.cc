@@ -29,7 +29,11 @@ GivenCause named(const std::string& cause, const std::string& joint = "HeadYaw",
 }
 
 GivenReport saying(const std::string& verdict, std::vector<GivenCause> causes = {}) {
-  return {verdict, std::move(causes), {{"HeadYaw", verdict, "q (31 %), then v|v| (20 %)"}}, {}};
+  GivenReport report;
+  report.verdict = verdict;
+  report.causes = std::move(causes);
+  report.joints = {{"HeadYaw", verdict, "q (31 %), then v|v| (20 %)"}};
+  return report;
 }
 
 TEST(Score, TheFirstCauseIsTheTruthAtItsJoint) {
