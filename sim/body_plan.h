@@ -24,6 +24,7 @@ struct BodyPlan {
         transmissions(nominal.jointCount()),
         servo_deadband(nominal.jointCount()),
         duty_root(nominal.jointCount()),
+        torque_part(nominal.jointCount(), 1.0),
         joint_zero(nominal.jointCount()) {}
 
   RobotModel model;
@@ -34,6 +35,7 @@ struct BodyPlan {
   JointArray<Transmission> transmissions;
   JointArray<double> servo_deadband;  // [rad] errors up to this move nothing
   JointArray<double> duty_root;       // part of the duty that follows the root of the error
+  JointArray<double> torque_part;     // of the nominal one that the motor gives at most
   JointArray<double> joint_zero;      // [rad] where the joint is when its encoder says 0
   double linear_damping = 0;          // [1/s] a = -c v of every body
   double angular_damping = 0;         // [1/s]

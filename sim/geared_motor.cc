@@ -25,6 +25,7 @@ GearedMotor::GearedMotor(const BodyPlan& plan, std::size_t joint)
     : GearedMotor(plan.model.actuators[joint], plan.transmissions[joint]) {
   deadband_ = plan.servo_deadband[joint];
   duty_root_ = plan.duty_root[joint];
+  torque_part_ = plan.torque_part[joint];
   zero_ = plan.joint_zero[joint];
 }
 
@@ -82,7 +83,7 @@ void GearedMotor::prepareServo(const Input& input) {
   if (duty_root_ > 0 && kp > 0) bendServo(error, torque, kp);
   servo_ = torque - (kp * h_ + kd_) * rate_;
   servo_change_ = kp * h_ + kd_;
-  const double limit = stiffness * efficiency_ * stall_ * input.torque_part;
+  const double limit = stiffness * efficiency_ * stall_ * torque_part_ * input.torque_part;
   const double ratio = rate_ / (no_load_ * std::max(input.speed_part, 1e-3));
   limit_up_ = limit * std::clamp(1 - ratio, 0.0, 1.0);
   limit_down_ = limit * std::clamp(1 + ratio, 0.0, 1.0);
@@ -108,6 +109,13 @@ void GearedMotor::prepareFriction(const Input& input) {
     resist_forward_ += hold_ * stall_;
     resist_backward_ += hold_ * stall_;
     if (!input.open && no_load_ > 0) viscous_ += stall_ / no_load_;
+  } else if (servo_ > limit_up_ || servo_ < -limit_down_) {
+    // A load that drives the motor loses in the gear, too, as large a part as the motor does that
+    // drives the load: it yields at torque / efficiency, where it gives torque * efficiency. Four
+    // stages that take 0.7 from the motor by the friction of their teeth take 0.68 from the load.
+    const double part = std::min(input.stiffness, 1.0) * torque_part_ * input.torque_part;
+    const double held = part * stall_ * (1 / efficiency_ - efficiency_);
+    (servo_ > 0 ? resist_backward_ : resist_forward_) += held;
   }
   if (resist_forward_ <= 0 && resist_backward_ <= 0) {
     grip_ = Grip::None;

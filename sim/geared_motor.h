@@ -9,7 +9,9 @@ namespace nao::sim {
 /// One motor with its gear, linearly implicit in angle and rate over a step of h:
 ///   servo      kp (command - theta) - kd theta',  at most stiffness * efficiency * stall *
 ///              (1 - |theta'| / no-load speed while driving); a part `duty_root` of its duty
-///              d = kp (command - theta) / (efficiency * stall) may be sign(d) sqrt|d| instead
+///              d = kp (command - theta) / (efficiency * stall) may be sign(d) sqrt|d| instead.
+///              At its limit the gear holds more than it lifts: a load that turns the motor back
+///              loses as large a part in it, so that it takes stiffness * stall / efficiency
 ///   friction   as much of its budget as stops the motion, never more: it really sticks
 ///   gear       rigid; or with play and compliance: then the rotor's angle theta is a state of its
 ///              own, and T = k deadzone(theta - q) + d (theta' - q') turns the link. theta' is
@@ -44,7 +46,8 @@ class GearedMotor {
   /// of change of the link's rate [N m s/rad].
   double now() const { return now_; }
   double change() const { return change_; }
-  /// The torque at this very state, after prepare() with h = 0: without friction or play.
+  /// The torque at this very state, after prepare() with h = 0: without friction, what the gear
+  /// holds with, or play.
   double smoothTorque() const;
   /// After a solve for the link's change of rate: what is beyond its limit stays at it, friction
   /// starts or stops to slide, gears touch or let go. True if any did: solve again.
@@ -79,7 +82,7 @@ class GearedMotor {
   double frictionChange() const;
 
   double kp_, kd_, stall_, efficiency_, no_load_, rotor_, hold_;
-  double deadband_ = 0, duty_root_ = 0, zero_ = 0;
+  double deadband_ = 0, duty_root_ = 0, torque_part_ = 1, zero_ = 0;
   bool soft_;
   double half_play_, stiffness_, damping_;
 

@@ -1,5 +1,5 @@
-// Part of the torque at every speed is missing: limit = part * nominal limit (a motor of lesser
-// current limit or a gear of lesser efficiency; from outside the same).
+// Part of the torque at every speed is missing: limit = part * nominal limit, where the motor holds
+// as where it lifts (a lesser current limit; a gear of lesser efficiency would hold more).
 #include "sim/effects/effect.h"
 
 namespace nao::sim {
@@ -12,7 +12,7 @@ EffectType torqueLimit() {
       Acts::Once,
       [](const EffectSetup& setup) {
         return changePlan([joints = setup.hinged(), part = setup.value("part")](BodyPlan& plan) {
-          for (const std::size_t j : joints) plan.model.actuators[j].efficiency *= part;
+          for (const std::size_t j : joints) plan.torque_part[j] *= part;
         });
       }};
 }

@@ -55,12 +55,12 @@ TEST(LimbSimulator, IsTheWorldOfItsLimb) {
 }
 
 // A torque of 3 N m holds the elbow 0.04 rad off: only its measured angles say so to the shoulder,
-// which with the elbow where its model has it is predicted 2.6 mrad wrong.
+// which with the elbow where its model has it is predicted 2.6 mrad wrong; half of it would tell.
 TEST(LimbSimulator, NeighboursDoWhatTheyWereMeasuredToDo) {
   const auto model = nao::test::robot("nao_h21_v33");
   const Joint elbow = *cutLimbs(suspend(*model), {"RElbowRoll"}).findJoint("RElbowRoll");
   const Arm arm({"RShoulderPitch", "RElbowRoll"}, {{"torque_bias", {{"torque", 3}}, {elbow}, ""}});
-  EXPECT_LT(arm.errorOf("RShoulderPitch", {})[0], 1e-3);
+  EXPECT_LT(arm.errorOf("RShoulderPitch", {})[0], 1.3e-3);
 }
 
 TEST(LimbSimulator, DrawsByStreamAlone) {
