@@ -13,9 +13,12 @@ constexpr double kWorthFitting = 0.7;    // of the threshold: what a look must p
 constexpr double kHopeless = 0.03;       // of the best look's gain: less never becomes the best fit
 constexpr double kClose = 0.06;          // of the best quick gain: fitted fully as well
 constexpr double kNextBest = 0.4;        // of the best gain: tried if the best may not be named
-constexpr double kUnchecked = 3;         // of the threshold: where it acts too briefly for any fold
-constexpr double kSharedPart = 0.15;     // of a number: half the width of a slope
-constexpr double kExcited = 1;           // squared noise SDs of a look: else it cannot be judged
+// Of what the greatest cause explains: the law that a robot follows is only like that of the
+// catalogue, and null sets, made by the latter, know nothing of the difference.
+constexpr double kLawError = 0.003;
+constexpr double kUnchecked = 3;      // of the threshold: where it acts too briefly for any fold
+constexpr double kSharedPart = 0.15;  // of a number: half the width of a slope
+constexpr double kExcited = 1;        // squared noise SDs of a look: else it cannot be judged
 
 double half(const Eigen::VectorXd& x) { return x.squaredNorm() / 2; }
 
@@ -250,6 +253,11 @@ std::string JointSearch::objection(const Stage& stage, const Candidate& candidat
   const bool unchecked = validation.folds == 0 && candidate.gain > kUnchecked * critical();
   if (!validation.accepted() && !unchecked) return "does not predict data it was not fitted to";
   if (shareOf(stage, candidate.gain) < kSmallestShare) return "explains under 3 % of the misfit";
+  double found = 0;
+  for (const Accepted& one : accepted_) found = std::max(found, one.gain);
+  if (candidate.gain < kLawError * found) {
+    return "explains no more than what was found may itself be off by";
+  }
   const FreeNumber& size = causes_[candidate.cause].free[0];
   const double margin = 1e-6 * (size.upper - size.lower);
   if (candidate.x[0] < size.lower + margin || candidate.x[0] > size.upper - margin) {
