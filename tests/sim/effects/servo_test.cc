@@ -122,11 +122,9 @@ TEST(ThermalDerating, TakesTorqueAsTheHeatOfItsSquareBuildsUp) {
   EXPECT_NEAR(terms.torque_part[0], 1 - kPart * warmth, 1e-12);
 }
 
-// The load takes 90 % of the cold motor's torque; at part 0.3 that is too much for a motor of
-// warmth 0.1 / 0.3, which 0.81 (1 - exp(-t / time)) reaches at t = 0.53 time.
+// The gear helps to hold: the cold motor is at its limit already, and holds 0.9 of stall torque over
+// efficiency until a tenth of it is gone, after ln(1.5) of the time.
 TEST(ThermalDerating, DropsALoadThatTheColdMotorHeld) {
-  // The gear helps to hold: the cold motor is at its limit already, and holds 0.9 until a tenth of
-  // it is gone, after ln(1.5) of the time.
   Rig rig(arm(), {effect("thermal_derating", {{"part", 0.3}, {"time", 4}})});
   rig.pull = 0.9 * arm()->actuators[0].stall_torque / arm()->actuators[0].efficiency;
   rig.run(0.3 * 4);
