@@ -122,8 +122,8 @@ TEST(ThermalDerating, TakesTorqueAsTheHeatOfItsSquareBuildsUp) {
   EXPECT_NEAR(terms.torque_part[0], 1 - kPart * warmth, 1e-12);
 }
 
-// The gear helps to hold: the cold motor is at its limit already, and holds 0.9 of stall torque over
-// efficiency until a tenth of it is gone, after ln(1.5) of the time.
+// The gear helps to hold: the cold motor is at its limit already, and holds 0.9 of stall torque
+// over efficiency until a tenth of it is gone, after ln(1.5) of the time.
 TEST(ThermalDerating, DropsALoadThatTheColdMotorHeld) {
   Rig rig(arm(), {effect("thermal_derating", {{"part", 0.3}, {"time", 4}})});
   rig.pull = 0.9 * arm()->actuators[0].stall_torque / arm()->actuators[0].efficiency;
