@@ -83,7 +83,7 @@ TEST(TorqueLimit, ScalesTheMostTheMotorGives) {
 // The gear loses a part of what the motor gives, and of what turns the motor back.
 TEST(TorqueLimit, ScalesTheLoadThatTheMotorHolds) {
   constexpr double kPart = 0.25;
-  const Actuator& motor = arm()->actuators[0];
+  const Actuator motor = arm()->actuators[0];
   const double holds = kPart * motor.stall_torque / motor.efficiency;
   for (const double load : {0.95, 1.05}) {
     const double angle = sag({effect("torque_limit", {{"part", kPart}})}, load * holds);
