@@ -8,6 +8,7 @@
 #include "core/random.h"
 #include "validation/diagnosis/chords.h"
 #include "validation/diagnosis/noise_modes.h"
+#include "validation/diagnosis/start_offsets.h"
 
 namespace nao::validation {
 namespace {
@@ -157,9 +158,8 @@ Eigen::MatrixXd Stage::directions(const Effort& effort, double start_sd) {
     const double sd = start_sd * std::sqrt(1.0 / span.repeats + 1.0 / effort.base_runs);
     for (Eigen::Index s = 0; s < span.signals; ++s) {
       const Eigen::Index at = span.offset + s * span.rows;
-      for (Eigen::Index i = 1; i + 1 < span.rows; ++i) {
-        late[at + i] = sd * (pool_.mean[at + i + 1] - pool_.mean[at + i - 1]) / (2 * span.dt);
-      }
+      late.segment(at, span.rows) =
+          sd * rateBetweenSamples(pool_.mean.segment(at, span.rows), span.dt);
     }
     columns.push_back(late);
   }

@@ -41,8 +41,6 @@ struct Look {
   double lower = 0, upper = 0;  // how far it may be scaled
 };
 
-/// A model, compared with the measurement: residual, its whitening, one look at every cause that
-/// is not part of the model, and what the residual would be if the model were right.
 /// One of what equal robots differ by, as a residual shows it.
 struct SmallDifference {
   std::size_t cause = 0;
@@ -50,6 +48,8 @@ struct SmallDifference {
   double known = 0;      // part of its spread that the data take away: 0 nothing, 1 all
 };
 
+/// A model, compared with the measurement: residual, its whitening, one look at every cause that
+/// is not part of the model, and what the residual would be if the model were right.
 class Stage {
  public:
   /// `jacobian`: the change of the prediction per number of the model, column by column. `given`:

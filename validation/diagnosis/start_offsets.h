@@ -6,6 +6,10 @@
 
 namespace nao::validation {
 
+/// Rate of a course of samples `dt` [s] apart, by the two beside each; 0 at both ends. What a late
+/// start looks like; rateOf() is smoother.
+Eigen::VectorXd rateBetweenSamples(const Eigen::VectorXd& course, double dt);
+
 /// Runs of one motion, each moved in time to where it is nearest to `reference`: when a run began
 /// is known to `start_sd` [s] only, and is fitted wherever two means are compared. One by one runs
 /// may have begun at any moment, their mean within two of its own SDs: a delay that all share is no
