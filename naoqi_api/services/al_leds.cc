@@ -7,6 +7,7 @@
 
 #include "core/random.h"
 #include "naoqi_api/al_module.h"
+#include "naoqi_api/services/al_motion_names.h"
 #include "naoqi_api/services/naoqi_method.h"
 
 namespace nao::services {
@@ -34,6 +35,11 @@ Rgb colorNamed(const std::string& name) {
   const auto found = colors.find(name);
   if (found == colors.end()) throw CallError("unknown colour: " + name);
   return found->second;
+}
+
+// As many steps as a show of `seconds` has, each `step` long; the longest show has an end.
+int countSteps(double seconds, double step) {
+  return static_cast<int>(std::clamp(finite(seconds) / step + 0.5, 0.0, 10'000.0));
 }
 
 class AlLeds : public std::enable_shared_from_this<AlLeds> {
@@ -101,7 +107,7 @@ class AlLeds : public std::enable_shared_from_this<AlLeds> {
   Pending<void> rotateEyes(std::int32_t rgb, float turn, float total) {
     if (!(turn > 0)) throw CallError("expected a turn of more than 0 s");
     const double eighth = turn / 8.0;
-    const int count = std::clamp(static_cast<int>(total / eighth + 0.5), 0, 10'000);
+    const int count = countSteps(total, eighth);
     Steps steps;
     for (int i = 0; i < count; ++i) {
       steps.push_back([this, rgb, i, eighth] {
@@ -114,7 +120,7 @@ class AlLeds : public std::enable_shared_from_this<AlLeds> {
   }
 
   Pending<void> show(float duration, double step, const std::function<void(int)>& change) {
-    const int count = std::clamp(static_cast<int>(duration / step + 0.5), 0, 10'000);
+    const int count = countSteps(duration, step);
     Steps steps;
     for (int i = 0; i < count; ++i) {
       steps.push_back([board = board_, step, change, i] {

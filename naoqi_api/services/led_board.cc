@@ -141,7 +141,8 @@ void LedBoard::tick() {
 
 rpc::Pending<void> LedBoard::pass(double seconds) {
   rpc::Pending<void> done;
-  later_(fromSeconds(std::max(0.0, seconds)), [done] { done.resolve(); });
+  constexpr double kForever = 1e9;  // [s] any later is beyond the clock's range
+  later_(fromSeconds(std::clamp(seconds, 0.0, kForever)), [done] { done.resolve(); });
   return done;
 }
 

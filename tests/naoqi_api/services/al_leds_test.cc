@@ -1,5 +1,8 @@
 #include "naoqi_api/services/al_leds.h"
 
+#include <limits>
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "naoqi_api/services/led_names.h"
@@ -77,6 +80,26 @@ TEST_F(AlLedsTest, ShowsTakeTheirTime) {
   EXPECT_FALSE(show.isDone());
   runLights(0.3);
   EXPECT_TRUE(show.isDone());
+}
+
+TEST_F(AlLedsTest, AShowWithoutEndIsALongOne) {
+  const auto rasta = start("ALLeds", "rasta", {1e30F});
+  const auto turn = start("ALLeds", "rotateEyes", {0x0000FF, 1e30F, 1e30F});
+  runLights(1);
+  EXPECT_FALSE(rasta.isDone());
+  EXPECT_FALSE(turn.isDone());
+}
+
+TEST_F(AlLedsTest, AShowOfCountlessStepsEnds) {
+  const auto show = start("ALLeds", "rotateEyes", {0x0000FF, 1e-40F, 1e30F});
+  runLights(1);
+  EXPECT_TRUE(show.isDone());
+}
+
+TEST_F(AlLedsTest, AShowOfNoNumberIsAnError) {
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THAT(*call("ALLeds", "rasta", {none}).findText(),
+              testing::HasSubstr("expected a finite number"));
 }
 
 }  // namespace
