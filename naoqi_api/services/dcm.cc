@@ -181,7 +181,7 @@ void Dcm::plan(const Actuator& actuator, const std::vector<DcmCommand>& track,
   for (const DcmCommand& command : track) {
     const auto alive = std::make_shared<bool>(true);
     waiting.push_back({command.time, alive});
-    const double fade = std::max(0, command.time - begin) / 1000.0;
+    const double fade = std::max(0.0, 1.0 * command.time - begin) / 1000.0;
     const double start = actuator.lights.empty() ? command.time : begin;  // keys do not fade
     const double delay = std::max(0.0, start - now()) / 1000.0;
     context_.later(fromSeconds(delay),
@@ -252,7 +252,10 @@ Pending<void> Dcm::setFast(const std::string& alias, std::int32_t time,
 
 void Dcm::declare(rpc::Service& service) {
   addFunction(
-      service, "getTime", [this](std::int32_t offset) { return now() + offset; },
+      service, "getTime",
+      [this](std::int32_t offset) {
+        return static_cast<std::int32_t>(std::int64_t{now()} + offset);  // wraps, as the clock
+      },
       "The time of the clock that commands are given in [ms].",
       Argument{"offset", "[ms] is added."});
   addFunction(

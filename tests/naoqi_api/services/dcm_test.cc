@@ -1,5 +1,7 @@
 #include "naoqi_api/services/dcm.h"
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "tests/naoqi_api/services/services_bench.h"
@@ -75,6 +77,19 @@ TEST_F(DcmTest, LightsFollowTheirTimes) {
     }
   }
   EXPECT_NEAR(last, 1, 1e-6);
+}
+
+TEST_F(DcmTest, ALightOfTheFarthestPastIsLitAtOnce) {
+  set("ChestBoard/Led/Red/Actuator/Value", "ClearAll", {point(1, std::numeric_limits<int>::min())});
+  run(0.1);
+  double last = -1;
+  for (const LedOrder& order : bench_.ports->leds.drain()) last = order.brightness;
+  EXPECT_NEAR(last, 1, 1e-6);
+}
+
+TEST_F(DcmTest, TheClockWrapsAtItsEnd) {
+  const int now = time(0);
+  EXPECT_EQ(time(std::numeric_limits<int>::max()), std::numeric_limits<int>::min() + now - 1);
 }
 
 TEST_F(DcmTest, SaysWhatItDoesNotUnderstand) {
