@@ -12,6 +12,8 @@ namespace {
 
 using Items = std::vector<rpc::Value>;
 
+constexpr double kMostCode = 1e6;  // no space or mask is near; what an int holds
+
 bool isNested(const rpc::Value& value) {
   const Items* items = value.findItems();
   return items != nullptr && std::any_of(items->begin(), items->end(),
@@ -37,7 +39,12 @@ std::vector<int> readCodes(const rpc::Value& value, std::size_t chains, const ch
     throw rpc::CallError(std::string("expected one ") + what + ", or one per effector");
   }
   std::vector<int> codes;
-  for (const double number : numbers) codes.push_back(static_cast<int>(number));
+  for (const double number : numbers) {
+    if (std::abs(number) > kMostCode) {
+      throw rpc::CallError(std::string("no ") + what + ": " + rpc::Value(number).print());
+    }
+    codes.push_back(static_cast<int>(number));
+  }
   return codes;
 }
 

@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "naoqi_api/services/al_motion.h"
@@ -56,6 +57,9 @@ TEST_F(AlMotionCartesianTest, WhatDoesNotFitIsAnError) {
   EXPECT_NE(error("positionInterpolation", {"Tail", 2, six(0, 0, 0), 7, 1.F, false}), "");
   EXPECT_NE(error("positionInterpolation", {"LArm", 3, six(0, 0, 0), 7, 1.F, false}), "");
   EXPECT_NE(error("positionInterpolation", {"LArm", 2, six(0, 0, 0), 64, 1.F, false}), "");
+  EXPECT_THAT(error("positionInterpolations",
+                    {Value::list({"LArm"}), 2, six(0, 0, 0), Value::list({4e9}), 1.F, false}),
+              testing::HasSubstr("no axis mask: 4e+09"));
   EXPECT_NE(error("positionInterpolation", {"LArm", 2, Value::list({1.F}), 7, 1.F, false}), "");
   EXPECT_NE(error("positionInterpolation", {"LArm", 2, six(0, 0, 0), 7, -1.F, false}), "");
   EXPECT_NE(error("wbFootState", {"Glued", "Legs"}), "");
