@@ -60,9 +60,11 @@ std::optional<Disc> circleThrough(const Border& points) {
 // The pixels of a disc that lie within the picture.
 double visibleArea(const Disc& disc, int width, int height) {
   double area = 0;
-  const int top = std::max(0, static_cast<int>(disc.y - disc.radius));
-  const int bottom = std::min(height - 1, static_cast<int>(disc.y + disc.radius));
-  for (int row = top; row <= bottom; ++row) {
+  const auto rowOf = [height](double y) {  // an almost straight border's circle is a huge one
+    return static_cast<int>(std::clamp(y, 0.0, height - 1.0));
+  };
+  const int bottom = rowOf(disc.y + disc.radius);
+  for (int row = rowOf(disc.y - disc.radius); row <= bottom; ++row) {
     const double up = row + 0.5 - disc.y;
     const double half = std::sqrt(std::max(0.0, disc.radius * disc.radius - up * up));
     const double left = std::max(0.0, disc.x - half);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "naoqi_api/services/disc_fit.h"
+
 namespace nao::services {
 namespace {
 
@@ -90,6 +92,15 @@ TEST(BallFinder, ABallInItsOwnShadowIsAsLarge) {
 TEST(BallFinder, ASmallBallIsASmallOne) {
   expectBall(discAt(80, 60, 2, kRed), 80, 60, 2);
   expectBall(discAt(80, 60, 3, kRed), 80, 60, 3);
+}
+
+TEST(BallFinder, AnAlmostStraightBorderLiesOnAHugeCircle) {
+  PatchShape shape{{}, 320 * 140, 320, 240};
+  for (int x = 0; x < 320; ++x)
+    shape.border.push_back({x + 0.5, 100 + 1e-10 * (x - 160) * (x - 160)});
+  const auto disc = fitDisc(shape);
+  ASSERT_TRUE(disc);
+  EXPECT_NEAR(disc->radius, 5e9, 1e9);  // what rounding leaves of so slight a bend
 }
 
 TEST(BallFinder, SeesNeitherYellowNorSpecksNorBoxesNorStripes) {
