@@ -148,7 +148,7 @@ Eigen::MatrixXd RigSimulator::run(const std::vector<EffectSetting>& causes, std:
   chance.torque_sd = noise.torque_sd;
   if (noise.torque_time > 0) chance.torque_time = noise.torque_time;
   chance.lead = (toSeconds(step_) - toSeconds(world_step_)) / 2;
-  chance.start = drawLateness(noise, chance.stream, 0.9 * set_->options().settle);
+  chance.start = drawLateness(noise, stream, motion, 0.9 * set_->options().settle);
   const sim::JointSignals signals =
       rigs_[motion].run(effects, orders_[motion], *load, chance,
                         fromSeconds(set_->options().settle), set_->catalogue());

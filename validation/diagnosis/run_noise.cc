@@ -23,8 +23,12 @@ std::uint64_t seedOf(std::uint64_t stream, std::size_t motion) {
   return stream * 0x9e3779b97f4a7c15ULL + motion + 1;
 }
 
-double drawLateness(const JointNoise& noise, std::uint64_t seed, double most) {
-  return std::clamp(noise.start_sd * Random(seed, "start").normal(), -most, most);
+double drawLateness(const JointNoise& noise, std::uint64_t stream, std::size_t motion,
+                    double most) {
+  constexpr std::uint64_t kOther =
+      2;  // streams 0 and 2, 1 and 3: halves of pairs, too, are balanced
+  const double late = noise.start_sd * Random(seedOf(stream & ~kOther, motion), "start").normal();
+  return std::clamp((stream & kOther) == 0 ? late : -late, -most, most);
 }
 
 void addEncoderNoise(const JointNoise& noise, std::uint64_t seed, Eigen::MatrixXd& signals) {

@@ -155,7 +155,7 @@ Eigen::MatrixXd Stage::directions(const Effort& effort, double start_sd) {
   std::vector<Eigen::VectorXd> columns;
   for (const MotionSpan& span : data_.spans()) {
     Eigen::VectorXd late = Eigen::VectorXd::Zero(data_.size());
-    const double sd = start_sd * std::sqrt(1.0 / span.repeats + 1.0 / effort.base_runs);
+    const double sd = start_sd / std::sqrt(static_cast<double>(span.repeats));
     for (Eigen::Index s = 0; s < span.signals; ++s) {
       const Eigen::Index at = span.offset + s * span.rows;
       late.segment(at, span.rows) =
