@@ -22,8 +22,10 @@ RobotModel stripped(const RobotModel& model);
 /// or a name it does not have.
 RobotModel cutLimbs(const RobotModel& model, const std::vector<std::string>& joints);
 
-/// The limb of one joint alone, for what it feels of its neighbours: a motor that another limb
-/// shares turns its hinge here only, unless it is the joint itself. Errors as cutLimbs().
-RobotModel cutLimbOf(const RobotModel& model, const std::string& joint);
+/// The limb of one joint, for what it feels of its neighbours. Of a limb that shares a motor with
+/// it, whose weight and inertia that motor turns too, the first hinges are left, the rest as one
+/// solid in `pose` [rad]. Errors as cutLimbs().
+RobotModel cutLimbOf(const RobotModel& model, const std::string& joint,
+                     const JointArray<double>& pose);
 
 }  // namespace nao::validation

@@ -9,7 +9,16 @@
 namespace nao::validation {
 namespace {
 
-// The limb of a joint without the limbs that share motors with it, if those motors only hold.
+// Where all joints are when the first motion begins.
+JointArray<double> firstPose(const RigSet& set) {
+  JointArray<double> pose(set.model().jointCount());
+  for (std::size_t j = 0; j < set.model().jointCount(); ++j) {
+    pose[j] = set.measured(0).angle(0, static_cast<Eigen::Index>(j));
+  }
+  return pose;
+}
+
+// The limb of a joint; limbs that share motors with it are stiff if those motors only hold.
 RobotModel limbOf(const RigSet& set, Joint joint) {
   const RobotModel& model = set.model();
   const std::string& name = model.actuators[index(joint)].name;
@@ -19,7 +28,7 @@ RobotModel limbOf(const RigSet& set, Joint joint) {
       if (!set.measured(m).assumed[j]) return cutLimbs(model, {name});
     }
   }
-  return cutLimbOf(model, name);
+  return cutLimbOf(model, name, firstPose(set));
 }
 
 }  // namespace
