@@ -77,16 +77,21 @@ class ClockedHold final : public sim::Effect {
   JointCommand held_;
 };
 
-// Readings are stored at every step and sent `delay` later, on top of the model's own delay.
+// Readings are stored and sent `delay` later, on top of the model's own delay: angles of every
+// step, currents of every cycle, between which they are taken to run straight.
 class LateReading final : public sim::Effect {
  public:
   explicit LateReading(const sim::EffectSetup& setup)
-      : joints_(setup.hinged()), late_(setup.value("delay")), step_(toSeconds(setup.step)) {
+      : joints_(setup.hinged()),
+        late_(setup.value("delay")),
+        step_(toSeconds(setup.step)),
+        cycle_(toSeconds(setup.model.cycle)) {
     for (const EffectSetting& own : setup.model.effects) {
       if (own.name == "sensor_delay") own_ += own.parameters.at("delay");
       if (own.name == "encoder_quantum") quantum_ = own.parameters.at("quantum");
     }
     angle_.resize(joints_.size());
+    current_.resize(joints_.size());
   }
 
   void alterDrive(const sim::DriveMoment& moment, sim::DriveTerms&) override {
@@ -98,11 +103,14 @@ class LateReading final : public sim::Effect {
       double& reported = frame.angle[joints_[i]];
       reported += at(angle_[i], own_ + late_) - at(angle_[i], own_);
       if (quantum_ > 0) reported = quantum_ * std::round(reported / quantum_);
+      current_[i].push_back(frame.current[joints_[i]]);
+      frame.current[joints_[i]] = between(current_[i], late_ / cycle_);
     }
   }
 
   void archive(Archive& archive) override {
     for (std::vector<double>& angles : angle_) archive.list(angles);
+    for (std::vector<double>& currents : current_) archive.list(currents);
   }
 
  private:
@@ -111,10 +119,19 @@ class LateReading final : public sim::Effect {
     return angles[angles.size() - 1 - std::min(steps, angles.size() - 1)];
   }
 
+  static double between(const std::vector<double>& values, double ago) {
+    const double place = std::max(0.0, static_cast<double>(values.size() - 1) - ago);
+    const auto before = static_cast<std::size_t>(place);
+    const std::size_t after = std::min(before + 1, values.size() - 1);
+    return values[before] +
+           (place - static_cast<double>(before)) * (values[after] - values[before]);
+  }
+
   std::vector<std::size_t> joints_;
-  double late_, step_, own_ = 0;            // [s]
-  double quantum_ = 0;                      // [rad]
-  std::vector<std::vector<double>> angle_;  // [rad] of all steps, by joint
+  double late_, step_, cycle_, own_ = 0;      // [s]
+  double quantum_ = 0;                        // [rad]
+  std::vector<std::vector<double>> angle_;    // [rad] of all steps, by joint
+  std::vector<std::vector<double>> current_;  // [A] of all cycles
 };
 
 // Each command passes through stages of memory: next = law(last value, input).
