@@ -62,6 +62,7 @@ class Ensemble {
   /// Fits the noise anew, with these causes in the model: what shakes a joint or holds it is no
   /// noise of its own.
   void learnNoise(const std::vector<EffectSetting>& causes);
+  void setNoise(const JointNoise& noise) { noise_ = noise; }
 
   /// Causes that every model has from now on, such as what all joints share.
   void setGiven(std::vector<EffectSetting> given) { given_ = std::move(given); }

@@ -158,15 +158,11 @@ bool JointSearch::reviewOne(std::size_t place) {
 
 // Drops a cause that nothing misses by its sensitivities, unless exact runs do.
 bool JointSearch::goesWithout(std::size_t place, double gain, const Stage& without) {
-  const ModelFit whole_fit = fit_;
-  const NullRecord whole_nulls = nulls_;
   const double before = excess();
-  auto whole = std::make_unique<Stage>(*stage_);
+  Snapshot whole = snapshot();
   enterModel(fitFully(ensemble_, data_, without, causes_, without.model(), effort_));
   if (excess() > before + std::max(2 * critical(), kSwap * accepted_[place].gain)) {
-    stage_ = std::move(whole);
-    fit_ = whole_fit;
-    nulls_ = whole_nulls;
+    restore(std::move(whole));
     return false;
   }
   drop(place, gain, "no longer needed beside the others");
@@ -251,14 +247,10 @@ ModelFit JointSearch::fitWithout(const SmallerModel& smaller) const {
 
 // Whether nothing is to be found beside these causes either: then the others are none.
 bool JointSearch::keepOnly(const SmallerModel& smaller) {
-  const ModelFit whole_fit = fit_;
-  const NullRecord whole_nulls = nulls_;
-  auto whole = std::make_unique<Stage>(*stage_);
+  Snapshot whole = snapshot();
   enterModel(fitWithout(smaller));
   if (stage_->largestGain(stage_->white(stage_->raw())) > critical()) {
-    stage_ = std::move(whole);
-    fit_ = whole_fit;
-    nulls_ = whole_nulls;
+    restore(std::move(whole));
     return false;
   }
   for (std::size_t place = accepted_.size(); place-- > 0;) {

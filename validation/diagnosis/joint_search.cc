@@ -18,7 +18,8 @@ constexpr double kNextBest = 0.4;        // of the best gain: tried if the best 
 constexpr double kLawError = 0.003;
 constexpr double kUnchecked = 3;      // of the threshold: where it acts too briefly for any fold
 constexpr double kSharedPart = 0.15;  // of a number: half the width of a slope
-constexpr double kExcited = 1;        // squared noise SDs of a look: else it cannot be judged
+constexpr char kEndOfRange[] = "fits best at the end of its range";
+constexpr double kExcited = 1;  // squared noise SDs of a look: else it cannot be judged
 
 double half(const Eigen::VectorXd& x) { return x.squaredNorm() / 2; }
 
@@ -258,12 +259,14 @@ std::string JointSearch::objection(const Stage& stage, const Candidate& candidat
   if (candidate.gain < kLawError * found) {
     return "explains no more than what was found may itself be off by";
   }
-  const FreeNumber& size = causes_[candidate.cause].free[0];
-  const double margin = 1e-6 * (size.upper - size.lower);
-  if (candidate.x[0] < size.lower + margin || candidate.x[0] > size.upper - margin) {
-    return "fits best at the end of its range";
-  }
+  if (isAtEnd({candidate.cause, candidate.x})) return kEndOfRange;
   return "";
+}
+
+bool JointSearch::isAtEnd(const Chosen& one) const {
+  const FreeNumber& size = causes_[one.cause].free[0];
+  const double margin = 1e-6 * (size.upper - size.lower);
+  return one.x[0] < size.lower + margin || one.x[0] > size.upper - margin;
 }
 
 void JointSearch::reject(std::size_t cause, double gain, const std::string& reason) {
@@ -293,21 +296,58 @@ bool JointSearch::accept(std::vector<Candidate> ranking) {
       fitFinally(*stage_, candidate);
     }
     if (candidate.gain <= critical()) continue;
-    const std::optional<CrossValidation> validation = validated(candidate);
-    if (!validation) continue;
-    accepted_.push_back({candidate.cause,
-                         candidate.gain,
-                         shareOf(*stage_, candidate.gain),
-                         *validation,
-                         isSmall(candidate),
-                         {},
-                         {}});
-    setRivals(accepted_.size() - 1, ranking, *stage_);
-    ensemble_.learnNoise(settingsOf(causes_, candidate.fit.model));
-    enterModel(candidate.fit);
-    return true;
+    if (const auto validation = validated(candidate)) {
+      take(candidate, *validation, ranking);
+      return true;
+    }
+    if (takeIfFreed(candidate, ranking)) return true;
   }
   return false;
+}
+
+void JointSearch::take(const Candidate& candidate, const CrossValidation& validation,
+                       const std::vector<Candidate>& ranking) {
+  accepted_.push_back({candidate.cause,
+                       candidate.gain,
+                       shareOf(*stage_, candidate.gain),
+                       validation,
+                       isSmall(candidate),
+                       {},
+                       {}});
+  setRivals(accepted_.size() - 1, ranking, *stage_);
+  ensemble_.learnNoise(settingsOf(causes_, candidate.fit.model));
+  enterModel(candidate.fit);
+}
+
+// One of two causes that act alike, alone, goes as far as it may: only with the other beside it is
+// it seen to be what it is. Two such in a row are none.
+bool JointSearch::takeIfFreed(const Candidate& candidate, const std::vector<Candidate>& ranking) {
+  if (trying_ || rejected_.empty() || rejected_.back().reason != kEndOfRange) return false;
+  if (static_cast<int>(accepted_.size()) + 2 > effort_.most_causes) return false;
+  Snapshot before = snapshot();
+  const Rejected reason = rejected_.back();
+  rejected_.pop_back();
+  const std::size_t place = accepted_.size();
+  take(candidate, crossValidate(data_, *stage_, candidate.fit, candidate.x.size()), ranking);
+  trying_ = true;
+  const bool freed = step() && !isAtEnd(fit_.model[place]);
+  trying_ = false;
+  if (freed) return true;
+  restore(std::move(before));
+  rejected_.push_back(reason);
+  return false;
+}
+
+JointSearch::Snapshot JointSearch::snapshot() const {
+  return {std::make_unique<Stage>(*stage_), fit_, nulls_, accepted_, ensemble_.noise()};
+}
+
+void JointSearch::restore(Snapshot before) {
+  stage_ = std::move(before.stage);
+  fit_ = std::move(before.fit);
+  nulls_ = std::move(before.nulls);
+  accepted_ = std::move(before.accepted);
+  ensemble_.setNoise(before.noise);
 }
 
 bool JointSearch::step() {

@@ -80,6 +80,16 @@ class JointSearch {
     Confusion confusion{};
   };
 
+  struct Snapshot {  // of what is accepted so far
+    std::unique_ptr<Stage> stage;
+    ModelFit fit;
+    NullRecord nulls;
+    std::vector<Accepted> accepted;
+    JointNoise noise;
+  };
+
+  Snapshot snapshot() const;
+  void restore(Snapshot before);
   EffectSetting sharedSetting(std::size_t cause, double x) const;  // on all joints
   std::unique_ptr<Stage> stageOf(const CauseList& model, const Eigen::MatrixXd& jacobian);
   void enter(std::unique_ptr<Stage> stage);
@@ -98,6 +108,10 @@ class JointSearch {
             const std::vector<Candidate>& ranking);
   bool step();
   bool accept(std::vector<Candidate> ranking);
+  void take(const Candidate& candidate, const CrossValidation& validation,
+            const std::vector<Candidate>& ranking);
+  bool takeIfFreed(const Candidate& candidate, const std::vector<Candidate>& ranking);
+  bool isAtEnd(const Chosen& one) const;
   std::optional<CrossValidation> validated(const Candidate& candidate);
   void weigh(const Stage& stage, std::vector<Candidate>& ranking);
   double leftBy(const Stage& stage, ModelFit& fit);
@@ -143,6 +157,7 @@ class JointSearch {
       dropped_;  // causes that a review took out again: else it would go in circles
   std::vector<Rejected> rejected_;
   std::vector<std::string> not_tried_;
+  bool trying_ = false;  // whether a cause at the end of its range is freed by a second one
 };
 
 /// The q-quantile of `values`, linear between order statistics.

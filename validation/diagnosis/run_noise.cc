@@ -25,8 +25,7 @@ std::uint64_t seedOf(std::uint64_t stream, std::size_t motion) {
 
 double drawLateness(const JointNoise& noise, std::uint64_t stream, std::size_t motion,
                     double most) {
-  constexpr std::uint64_t kOther =
-      2;  // streams 0 and 2, 1 and 3: halves of pairs, too, are balanced
+  constexpr std::uint64_t kOther = 2;  // 0 and 2, 1 and 3: halves of a pool begin in time, too
   const double late = noise.start_sd * Random(seedOf(stream & ~kOther, motion), "start").normal();
   return std::clamp((stream & kOther) == 0 ? late : -late, -most, most);
 }

@@ -107,6 +107,34 @@ TEST(JointSearch, NamesNothingBesideACauseThatExplainsHundredsOfTimesAsMuch) {
   EXPECT_EQ(beside.named()[0]->cause, "encoder_offset");
 }
 
+// Alone the friction of the load would have to do the other's work, too, beyond what gears can
+// lose.
+TEST(JointSearch, ACauseAtTheEndOfItsRangeIsNamedIfASecondOneFreesIt) {
+  const std::map<std::string, double> truth{{"load_friction", 0.85}, {"coulomb_friction", 0.1}};
+  ToyLaws laws;
+  laws.load += truth.at("load_friction");
+  laws.coulomb += truth.at("coulomb_friction");
+  std::vector<Cause> causes;
+  for (const Cause& cause : test::toyCauses()) {
+    if (truth.count(cause.id) > 0) causes.push_back(cause);
+  }
+  const auto rejected = [](const JointVerdict& verdict) {
+    return std::any_of(verdict.rejected.begin(), verdict.rejected.end(), [](const Rejected& one) {
+      return one.cause == "load_friction" && one.reason == "fits best at the end of its range";
+    });
+  };
+  EXPECT_TRUE(rejected(diagnose(laws, causes)));
+  Effort two = quick();
+  two.most_causes = 2;
+  const JointVerdict both = diagnose(laws, causes, two);
+  EXPECT_FALSE(rejected(both));
+  EXPECT_EQ(both.verdict, Verdict::Named);
+  ASSERT_EQ(both.findings.size(), 2u);
+  for (const Finding& one : both.findings) {
+    EXPECT_NEAR(one.numbers[0].deviation, truth.at(one.cause), 0.012) << one.cause;  // 1 % found
+  }
+}
+
 TEST(JointSearch, AdjustsNothingBesideWhatHasNoName) {
   EXPECT_TRUE(diagnose(deadServo(), without({"servo_deadband"})).adjustments.empty());
 }
