@@ -15,7 +15,7 @@ void LastSeconds::look(runtime::Simulation& simulation,
   if (has_failed && stop_ == SimTime::max()) stop_ = now + kAfterwards;
   keepBeat(simulation, *scene);
   if (now.time_since_epoch() % kStill == Duration::zero()) scenes_.push_back(scene);
-  while (now - scenes_.front()->time > kLength) scenes_.pop_front();
+  while (!scenes_.empty() && now - scenes_.front()->time > kLength) scenes_.pop_front();
 }
 
 void LastSeconds::keepBeat(runtime::Simulation& simulation, const SceneFrame& scene) {
