@@ -1,6 +1,8 @@
 // The part of JointSearch that puts what was found into words and numbers.
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 #include "core/random.h"
 #include "validation/diagnosis/joint_search.h"
@@ -10,7 +12,8 @@ namespace nao::validation {
 namespace {
 
 constexpr double kLow = 0.05, kHigh = 0.95;  // of a 90 % interval
-constexpr double kNormal90 = 1.645;          // [SD] its half, of a normal distribution
+constexpr double kThreshold = 0.99;  // of null sets leave less than what is told as a remainder
+constexpr double kNormal90 = 1.645;  // [SD] its half, of a normal distribution
 // How well a fitted noise is known: null sets draw theirs from what the fit says. Hidden nulls left
 // 0.6 to 1.09 of the noise floor (60 joints), laws without a name 5 and more.
 constexpr double kNoiseKnown = 1.1;
@@ -59,6 +62,15 @@ void doubt(JointVerdict& verdict) {
   }
 }
 
+Verdict verdictOf(const JointVerdict& joint, bool remains) {
+  const std::vector<const Finding*> named = joint.named();
+  if (named.empty()) return remains ? Verdict::Unknown : Verdict::NoDiscrepancy;
+  if (remains) return Verdict::PartlyExplained;
+  const bool ambiguous = std::any_of(named.begin(), named.end(),
+                                     [](const Finding* one) { return !one->rivals.empty(); });
+  return ambiguous ? Verdict::Ambiguous : Verdict::Named;
+}
+
 void setInterval(FoundNumber& number, const Eigen::VectorXd& moves) {
   const std::vector<double> all(moves.data(), moves.data() + moves.size());
   number.low = number.deviation - quantile(all, kHigh);
@@ -74,31 +86,38 @@ void JointSearch::describe(JointVerdict& verdict) {
   addSpread(causes_, fit_.model, moves);
   Eigen::Index column = 0;
   for (std::size_t i = 0; i < accepted_.size(); ++i) {
-    const Accepted& chosen = accepted_[i];
-    const Cause& cause = causes_[chosen.cause];
-    Finding finding;
-    finding.cause = cause.id;
-    finding.effect = cause.effect;
-    finding.numbers = numbersOf(cause, fit_.model[i].x);
+    Finding finding = findingOf(i);
     for (FoundNumber& number : finding.numbers) setInterval(number, moves.col(column++));
-    finding.gain = chosen.gain;
-    finding.share = chosen.share;
-    finding.folds = chosen.validation.folds;
-    finding.folds_better = chosen.validation.better;
-    finding.held_out_gain = chosen.validation.gain;
-    finding.one_motion_only = chosen.validation.oneMotionOnly();
-    finding.small = std::abs(fit_.model[i].x[0]) < cause.free[0].smallest;
-    for (const Candidate& rival : chosen.rivals) {
-      const Cause& other = causes_[rival.cause];
-      finding.rivals.push_back({other.id, numbersOf(other, rival.x), chosen.gain - rival.gain});
-    }
-    finding.confusion = chosen.confusion;
     finding.profile = profileOf(i, finding.numbers[0]);
-    finding.sentence = cause.fill(verdict.joint, valueText(finding.numbers[0]));
-    finding.experiment = cause.separate;
     verdict.findings.push_back(std::move(finding));
   }
   verdict.adjustments = adjustments();
+}
+
+// All but intervals and profile.
+Finding JointSearch::findingOf(std::size_t place) const {
+  const Accepted& chosen = accepted_[place];
+  const Cause& cause = causes_[chosen.cause];
+  const std::vector<double>& x = fit_.model[place].x;
+  Finding finding;
+  finding.cause = cause.id;
+  finding.effect = cause.effect;
+  finding.numbers = numbersOf(cause, x);
+  finding.gain = chosen.gain;
+  finding.share = chosen.share;
+  finding.folds = chosen.validation.folds;
+  finding.folds_better = chosen.validation.better;
+  finding.held_out_gain = chosen.validation.gain;
+  finding.one_motion_only = chosen.validation.oneMotionOnly();
+  finding.small = std::abs(x[0]) < cause.free[0].smallest;
+  for (const Candidate& rival : chosen.rivals) {
+    const Cause& other = causes_[rival.cause];
+    finding.rivals.push_back({other.id, numbersOf(other, rival.x), chosen.gain - rival.gain});
+  }
+  finding.confusion = chosen.confusion;
+  finding.sentence = cause.fill(joint_.joint(), valueText(finding.numbers[0]));
+  finding.experiment = cause.separate;
+  return finding;
 }
 
 // Of what the data do not tell it is not worth a line.
@@ -119,9 +138,9 @@ std::vector<Adjustment> JointSearch::adjustments() const {
 
 void JointSearch::judge(JointVerdict& verdict) {
   verdict.rejected = rejected_;
-  std::sort(not_tried_.begin(), not_tried_.end());
-  not_tried_.erase(std::unique(not_tried_.begin(), not_tried_.end()), not_tried_.end());
-  verdict.not_tried = not_tried_;
+  const std::set<std::string> not_tried(candidates_.notTried().begin(),
+                                        candidates_.notTried().end());
+  verdict.not_tried.assign(not_tried.begin(), not_tried.end());
   verdict.critical_gain = critical();
   verdict.misfit_before = misfit_before_;
   verdict.misfit_after = misfit(*stage_, stage_->raw());
@@ -132,7 +151,19 @@ void JointSearch::judge(JointVerdict& verdict) {
     verdict.repeats = std::min(verdict.repeats, span.repeats);
   }
   verdict.runs = ensemble_.used();
+  judgeRemainder(verdict);
+  const bool remains = verdict.remainder_score > verdict.remainder_critical;
+  if (remains) {
+    doubt(verdict);
+    verdict.adjustments.clear();  // they would stand in for what has no name
+    verdict.signature = signatureOf(data_, *stage_, causes_).text();
+  }
+  const bool unfinished = ensemble_.spent() && (remains || !not_tried.empty());
+  verdict.verdict = unfinished ? Verdict::Unfinished : verdictOf(verdict, remains);
+}
 
+// What is left, in SDs of what null sets leave.
+void JointSearch::judgeRemainder(JointVerdict& verdict) const {
   std::vector<double> largest = nulls_.remainders;
   for (std::size_t i = 0; i < largest.size() && i < others_.remainders.size(); ++i) {
     largest[i] = std::max(largest[i], others_.remainders[i]);
@@ -145,27 +176,8 @@ void JointSearch::judge(JointVerdict& verdict) {
   }
   const double sd = std::sqrt(std::max(square - mean * mean, 1e-12));
   verdict.remainder_critical =
-      std::max(quantile(largest, 0.99), (kNoiseKnown * kNoiseKnown - 1) * mean / sd);
+      std::max(quantile(largest, kThreshold), (kNoiseKnown * kNoiseKnown - 1) * mean / sd);
   verdict.remainder_score = (stage_->whiteAll(stage_->raw()).squaredNorm() / 2 - mean) / sd;
-
-  const bool remains = verdict.remainder_score > verdict.remainder_critical;
-  const std::vector<const Finding*> named = verdict.named();
-  const bool ambiguous = std::any_of(named.begin(), named.end(),
-                                     [](const Finding* one) { return !one->rivals.empty(); });
-  if (remains) {
-    doubt(verdict);
-    verdict.adjustments.clear();  // they would stand in for what has no name
-    verdict.signature = signatureOf(data_, *stage_, causes_).text();
-  }
-  if (ensemble_.spent() && (remains || !not_tried_.empty())) {
-    verdict.verdict = Verdict::Unfinished;
-  } else if (named.empty()) {
-    verdict.verdict = remains ? Verdict::Unknown : Verdict::NoDiscrepancy;
-  } else if (remains) {
-    verdict.verdict = Verdict::PartlyExplained;
-  } else {
-    verdict.verdict = ambiguous ? Verdict::Ambiguous : Verdict::Named;
-  }
 }
 
 }  // namespace nao::validation

@@ -1,5 +1,4 @@
 // Accepted causes seen again: against rivals for their place, and whether they are needed.
-#include <Eigen/QR>
 #include <algorithm>
 #include <utility>
 
@@ -11,10 +10,6 @@
 namespace nao::validation {
 namespace {
 
-constexpr double kSame = 0.03;             // of the gain: rivals within it are not told apart
-constexpr double kSameByExactRuns = 0.01;  // where both were weighed
-constexpr double kSameIfWhole = 0.002;     // and the best leaves no more than chance
-constexpr std::size_t kWeighed = 3;
 constexpr double kSwap = 0.01;  // of the gain: what a rival must be better by
 constexpr double kWorthTrying =
     5;                     // of the threshold: what a smaller model may cost by sensitivities
@@ -35,13 +30,6 @@ Eigen::VectorXd numbersOf(const CauseList& model) {
 
 }  // namespace
 
-// How much less a rival may explain. A law that only resembles its cause of the catalogue does not
-// fit as well as chance allows: then rivals are not told apart by chance alone.
-double JointSearch::reachOf(const Candidate& best, const Candidate& other) const {
-  if (!best.weighed || !other.weighed) return std::max(critical(), kSame * best.gain);
-  return std::max(critical(), (best.whole ? kSameIfWhole : kSameByExactRuns) * best.gain);
-}
-
 void JointSearch::setRivals(std::size_t place, const std::vector<Candidate>& ranking,
                             const Stage& stage) {
   Accepted& chosen = accepted_[place];
@@ -53,7 +41,7 @@ void JointSearch::setRivals(std::size_t place, const std::vector<Candidate>& ran
   for (const Candidate& rival : ranking) {
     if (rival.cause == chosen.cause || isSmall(rival)) continue;
     if (own->weighed && !rival.weighed) continue;  // was too far off to be weighed
-    if (rival.gain < own->gain - reachOf(*own, rival)) continue;
+    if (rival.gain < own->gain - reachOf(*own, rival, critical())) continue;
     if (samePlace(causes_[rival.cause], causes_[chosen.cause])) continue;
     chosen.rivals.push_back(rival);
   }
@@ -68,42 +56,6 @@ Confusion JointSearch::confusionAmong(const std::vector<Candidate>& ranking,
   std::vector<Eigen::VectorXd> nulls;
   for (const Eigen::VectorXd& null : stage.nulls()) nulls.push_back(stage.white(null));
   return confusionOf(fitted, nulls);
-}
-
-// Fits are made of coarse steps, which are off by a few per cent of what a large cause explains:
-// exact runs decide between candidates that are as near as that.
-void JointSearch::weigh(const Stage& stage, std::vector<Candidate>& ranking) {
-  std::vector<Candidate*> near;
-  for (Candidate& candidate : ranking) {
-    if (!candidate.full || near.size() == kWeighed) break;
-    if (candidate.gain < ranking.front().gain - reachOf(ranking.front(), candidate)) break;
-    near.push_back(&candidate);
-  }
-  if (near.size() < 2) return;
-  const double before = stage.white(stage.raw()).squaredNorm() / 2;
-  for (Candidate* candidate : near) {
-    if (ensemble_.spent()) return;
-    const double left = leftBy(stage, candidate->fit);
-    candidate->gain = before - left;
-    candidate->whole = left <= floor();
-    candidate->x = candidate->fit.model.back().x;
-    candidate->weighed = true;
-  }
-  sortBest(ranking, near.size());
-}
-
-// Half the squares of what is really left with this fit, its numbers moved to where that is least.
-// Runs of the same streams for every fit: their chance falls out between fits.
-double JointSearch::leftBy(const Stage& stage, ModelFit& fit) {
-  const auto left = [&](int runs) -> Eigen::VectorXd {
-    return data_.mean() - ensemble_.pool(settingsOf(causes_, fit.model), runs).mean;
-  };
-  moveNumbers(fit, left(effort_.base_runs / 3), stage, causes_);
-  const Eigen::VectorXd white = stage.whitenFit(left(effort_.base_runs / 2));
-  Eigen::MatrixXd own(white.size(), fit.jacobian.cols());
-  for (Eigen::Index i = 0; i < own.cols(); ++i) own.col(i) = stage.whitenFit(fit.jacobian.col(i));
-  const Eigen::VectorXd rest = white - own * own.colPivHouseholderQr().solve(white);
-  return rest.squaredNorm() / 2;
 }
 
 // Each cause competes again with all others for its place beside the rest of the model.
@@ -134,9 +86,8 @@ bool JointSearch::reviewOne(std::size_t place) {
     column += static_cast<std::size_t>(n);
   }
   const auto without = std::make_unique<Stage>(*stage_, place, jacobian);
-  std::vector<Candidate> ranking = rank(*without);
-  fitFinalists(*without, ranking);
-  weigh(*without, ranking);
+  std::vector<Candidate> ranking = candidates_.rankedAt(*without, critical());
+  candidates_.weigh(*without, byChance(), ranking);
   const std::size_t cause = accepted_[place].cause;
   const auto own = std::find_if(ranking.begin(), ranking.end(),
                                 [&](const Candidate& c) { return c.cause == cause; });
@@ -145,7 +96,7 @@ bool JointSearch::reviewOne(std::size_t place) {
   if (std::max(own_gain, best_gain) <= critical()) return goesWithout(place, own_gain, *without);
   if (best_gain > own_gain + std::max(2.0, kSwap * own_gain)) {
     Candidate best = ranking.front();
-    if (!best.full) fitFinally(*without, best);
+    if (!best.full) candidates_.fitFinally(*without, best);
     if (best.gain > own_gain + std::max(2.0, kSwap * own_gain)) {
       swap(place, own_gain, *without, best, ranking);
       return true;
@@ -171,7 +122,7 @@ bool JointSearch::goesWithout(std::size_t place, double gain, const Stage& witho
 
 // Half the squares that are left, over what null sets leave.
 double JointSearch::excess() const {
-  return stage_->white(stage_->raw()).squaredNorm() / 2 - floor();
+  return stage_->white(stage_->raw()).squaredNorm() / 2 - byChance().left;
 }
 
 void JointSearch::drop(std::size_t place, double gain, const std::string& reason) {

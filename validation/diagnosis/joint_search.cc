@@ -9,9 +9,6 @@ namespace {
 
 constexpr double kConfidence = 0.99;     // of thresholds, over the null sets of a whole data set
 constexpr double kSmallestShare = 0.03;  // of the excess misfit, less is not worth a name
-constexpr double kWorthFitting = 0.7;    // of the threshold: what a look must promise
-constexpr double kHopeless = 0.03;       // of the best look's gain: less never becomes the best fit
-constexpr double kClose = 0.06;          // of the best quick gain: fitted fully as well
 constexpr double kNextBest = 0.4;        // of the best gain: tried if the best may not be named
 // Of what the greatest cause explains: the law that a robot follows is only like that of the
 // catalogue, and null sets, made by the latter, know nothing of the difference.
@@ -40,7 +37,8 @@ JointSearch::JointSearch(const JointSimulator& joint, const JointNoise& noise,
       causes_(std::move(causes)),
       effort_(effort),
       data_(joint, noise),
-      ensemble_(joint, data_, noise, granted_runs) {
+      ensemble_(joint, data_, noise, granted_runs),
+      candidates_(ensemble_, data_, causes_, effort_) {
   for (Cause& cause : causes_) {
     cause = boundedAt(cause, joint, sim::standardEffects());
     if (cause.coupled && !joint.isCoupled()) cause.free[0].starts.clear();  // never looked at
@@ -150,102 +148,19 @@ double JointSearch::misfit(const Stage& stage, const Eigen::VectorXd& raw) const
   return std::sqrt(half(stage.whiteAll(raw)) / std::max(floor, 1e-12));
 }
 
-std::vector<JointSearch::Candidate> JointSearch::rank(const Stage& stage) {
-  const double crit = critical();
-  std::vector<Candidate> ranking;
-  const Eigen::VectorXd white = stage.white(stage.raw());
-  const double least = std::max(kWorthFitting * crit, kHopeless * stage.largestGain(white));
-  auto starts = startsFor(stage, causes_, white, least, effort_.survivors);
-  if (!starts.empty()) addBeats(stage, starts);
-  for (const QuickFit& start : starts) {
-    if (ensemble_.spent()) {
-      not_tried_.push_back(causes_[start.cause].id);
-      continue;
-    }
-    put(fitQuickly(ensemble_, stage, causes_, start.cause, start.x, effort_), ranking);
-  }
-  sortBest(ranking);
-  addTwins(stage, ranking);
-  return ranking;
-}
-
-// Into the ranking, of each cause the best.
-void JointSearch::put(const QuickFit& fit, std::vector<Candidate>& ranking) {
-  const auto same = std::find_if(ranking.begin(), ranking.end(),
-                                 [&](const Candidate& c) { return c.cause == fit.cause; });
-  if (same == ranking.end()) {
-    ranking.push_back({fit.cause, fit.x, fit.gain, false, false, false, {}});
-  } else if (fit.gain > same->gain) {
-    *same = {fit.cause, fit.x, fit.gain, false, false, false, {}};
-  }
-}
-
-// What does nearly the same as the best, from its number.
-void JointSearch::addTwins(const Stage& stage, std::vector<Candidate>& ranking) {
-  if (ranking.empty()) return;
-  const Candidate best = ranking.front();
-  for (const std::string& twin : causes_[best.cause].twins) {
-    for (std::size_t c = 0; c < causes_.size(); ++c) {
-      if (causes_[c].id != twin || stage.isTaken(c)) continue;
-      for (const double x : {best.x[0], -best.x[0]}) {
-        if (ensemble_.spent()) return;
-        put(fitQuickly(ensemble_, stage, causes_, c, {x}, effort_), ranking);
-      }
-    }
-  }
-  sortBest(ranking);
-}
-
-// Sizes of clocks, which no look at another size tells of.
-void JointSearch::addBeats(const Stage& stage, std::vector<QuickFit>& starts) {
-  for (std::size_t c = 0; c < causes_.size(); ++c) {
-    if (!causes_[c].beats || stage.isTaken(c)) continue;
-    for (const double size : beatingSizes(ensemble_, stage, causes_, c)) {
-      starts.push_back({c, {size}, 0});
-    }
-  }
-}
-
-void JointSearch::fitFinalists(const Stage& stage, std::vector<Candidate>& ranking) {
-  const double best = ranking.empty() ? 0 : ranking.front().gain;
-  const double reach = std::max(2 * critical(), kClose * best);
-  for (int i = 0; i < effort_.finalists && i < static_cast<int>(ranking.size()); ++i) {
-    Candidate& candidate = ranking[static_cast<std::size_t>(i)];
-    if (candidate.gain < best - reach || ensemble_.spent()) break;
-    fitFinally(stage, candidate);
-  }
-  sortBest(ranking);
-}
-
-void JointSearch::fitFinally(const Stage& stage, Candidate& candidate) {
-  CauseList model = stage.model();
-  model.push_back({candidate.cause, candidate.x});
-  candidate.fit = fitFully(ensemble_, data_, stage, causes_, model, effort_);
-  candidate.gain = candidate.fit.gain;
-  candidate.x = candidate.fit.model.back().x;
-  candidate.full = true;
-}
-
-void JointSearch::sortBest(std::vector<Candidate>& ranking, std::size_t count) {
-  const auto n = static_cast<std::ptrdiff_t>(std::min(count, ranking.size()));
-  std::stable_sort(ranking.begin(), ranking.begin() + n,
-                   [](const Candidate& a, const Candidate& b) { return a.gain > b.gain; });
-}
-
 bool JointSearch::isSmall(const Candidate& candidate) const {
   const FreeNumber& size = causes_[candidate.cause].free[0];
   return std::abs(candidate.x[0]) < size.smallest;
 }
 
-// Half the squares that null sets leave.
-double JointSearch::floor() const {
+ByChance JointSearch::byChance() const {
   double sum = 0;
   for (const Eigen::VectorXd& null : stage_->nulls()) sum += half(stage_->white(null));
-  return sum / static_cast<double>(std::max<std::size_t>(1, stage_->nulls().size()));
+  return {critical(), sum / static_cast<double>(std::max<std::size_t>(1, stage_->nulls().size()))};
 }
 
 double JointSearch::shareOf(const Stage& stage, double gain) const {
-  return gain / std::max(half(stage.white(stage.raw())) - floor(), gain);
+  return gain / std::max(half(stage.white(stage.raw())) - byChance().left, gain);
 }
 
 // Why a candidate may not be named though it fits; empty: nothing against it.
@@ -285,7 +200,7 @@ std::optional<CrossValidation> JointSearch::validated(const Candidate& candidate
 }
 
 bool JointSearch::accept(std::vector<Candidate> ranking) {
-  weigh(*stage_, ranking);
+  candidates_.weigh(*stage_, byChance(), ranking);
   const double best = ranking.empty() ? 0 : ranking.front().gain;
   int fitted = 0;
   for (Candidate& candidate : ranking) {
@@ -293,7 +208,7 @@ bool JointSearch::accept(std::vector<Candidate> ranking) {
     if (!candidate.full) {  // all before it may not be named
       if (candidate.gain < kNextBest * best || fitted++ == effort_.finalists) return false;
       if (ensemble_.spent()) return false;
-      fitFinally(*stage_, candidate);
+      candidates_.fitFinally(*stage_, candidate);
     }
     if (candidate.gain <= critical()) continue;
     if (const auto validation = validated(candidate)) {
@@ -352,9 +267,7 @@ void JointSearch::restore(Snapshot before) {
 
 bool JointSearch::step() {
   if (static_cast<int>(accepted_.size()) >= effort_.most_causes) return false;
-  std::vector<Candidate> ranking = rank(*stage_);
-  fitFinalists(*stage_, ranking);
-  return accept(ranking);
+  return accept(candidates_.rankedAt(*stage_, critical()));
 }
 
 JointVerdict JointSearch::conclude(const NullRecord& others) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "validation/diagnosis/beat_search.h"
-#include "validation/diagnosis/candidate_fit.h"
+#include "validation/diagnosis/candidates.h"
 #include "validation/diagnosis/cross_validation.h"
 #include "validation/diagnosis/verdict.h"
 
@@ -61,16 +61,6 @@ class JointSearch {
   const JointData& data() const { return data_; }
 
  private:
-  struct Candidate {  // of one stage
-    std::size_t cause = 0;
-    std::vector<double> x;
-    double gain = 0;
-    bool full = false;     // fitted with final_runs, all numbers at once
-    bool weighed = false;  // its gain is by exact runs
-    bool whole = false;    // these leave no more than chance does
-    ModelFit fit;
-  };
-  static constexpr std::size_t kAll = static_cast<std::size_t>(-1);
   struct Accepted {
     std::size_t cause = 0;
     double gain = 0, share = 0;
@@ -95,14 +85,6 @@ class JointSearch {
   void enter(std::unique_ptr<Stage> stage);
   void enterModel(const ModelFit& fit);
   double critical() const;
-  std::vector<Candidate> rank(const Stage& stage);
-  void addBeats(const Stage& stage, std::vector<QuickFit>& starts);
-  void addTwins(const Stage& stage, std::vector<Candidate>& ranking);
-  static void put(const QuickFit& fit, std::vector<Candidate>& ranking);
-  void fitFinalists(const Stage& stage, std::vector<Candidate>& ranking);
-  void fitFinally(const Stage& stage, Candidate& candidate);
-  // The first `count`, or all.
-  static void sortBest(std::vector<Candidate>& ranking, std::size_t count = kAll);
   void drop(std::size_t place, double gain, const std::string& reason);
   void swap(std::size_t place, double gain, const Stage& without, const Candidate& best,
             const std::vector<Candidate>& ranking);
@@ -113,14 +95,11 @@ class JointSearch {
   bool takeIfFreed(const Candidate& candidate, const std::vector<Candidate>& ranking);
   bool isAtEnd(const Chosen& one) const;
   std::optional<CrossValidation> validated(const Candidate& candidate);
-  void weigh(const Stage& stage, std::vector<Candidate>& ranking);
-  double leftBy(const Stage& stage, ModelFit& fit);
-  double reachOf(const Candidate& best, const Candidate& other) const;
   std::string objection(const Stage& stage, const Candidate& candidate,
                         const CrossValidation& validation) const;
   bool isSmall(const Candidate& candidate) const;
   double shareOf(const Stage& stage, double gain) const;
-  double floor() const;
+  ByChance byChance() const;
   bool review();
   bool reviewOne(std::size_t place);
   bool goesWithout(std::size_t place, double gain, const Stage& without);
@@ -136,7 +115,9 @@ class JointSearch {
   void reject(std::size_t cause, double gain, const std::string& reason);
   std::vector<Adjustment> adjustments() const;
   void judge(JointVerdict& verdict);
+  void judgeRemainder(JointVerdict& verdict) const;
   void describe(JointVerdict& verdict);
+  Finding findingOf(std::size_t place) const;
   void rejectTheRest();
   double misfit(const Stage& stage, const Eigen::VectorXd& raw) const;
   double splitRatio();
@@ -146,6 +127,7 @@ class JointSearch {
   Effort effort_;
   JointData data_;
   Ensemble ensemble_;
+  Candidates candidates_;
   std::unique_ptr<Stage> stage_;
   ModelFit fit_;          // of the model, where it is not empty
   Eigen::VectorXd left_;  // raw residual where its numbers came to rest
@@ -156,7 +138,6 @@ class JointSearch {
   std::set<std::size_t>
       dropped_;  // causes that a review took out again: else it would go in circles
   std::vector<Rejected> rejected_;
-  std::vector<std::string> not_tried_;
   bool trying_ = false;  // whether a cause at the end of its range is freed by a second one
 };
 
