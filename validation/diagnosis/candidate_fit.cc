@@ -12,7 +12,7 @@ namespace nao::validation {
 namespace {
 
 constexpr double kNearlyAsGood = 0.7;  // of the best start's gain: free choice
-constexpr double kKept = 0.5;          // of what rough runs promise: less, and they mislead
+constexpr double kKept = 0.5;          // of what is promised: less, and it misleads
 
 // Finite differences as wide as the size of interest: less matters to nobody.
 double stepOf(const FreeNumber& number) {
@@ -148,11 +148,14 @@ bool isBestSeen(const Start& start, const std::vector<Start>& starts) {
 }  // namespace
 
 QuickFit fitQuickly(Ensemble& ensemble, const Stage& stage, const std::vector<Cause>& causes,
-                    std::size_t cause, const std::vector<double>& x, const Effort& effort) {
+                    const QuickFit& start, const Effort& effort) {
+  const auto& [cause, x, promised] = start;
   if (const Look* look = widerLook(stage, causes, cause, x)) {
-    return {cause, x, Explained(look->white, stage.white(stage.raw())).gain(x[0] / look->x[0])};
+    const Explained explained(look->white, stage.white(stage.raw()));
+    const double gain = explained.gain(x[0] / look->x[0]);
+    if (gain > kKept * promised) return {cause, x, gain};
   }
-  const auto search = [&](SizeSearch::Runs runs) {
+  const auto search = [&, cause = start.cause](SizeSearch::Runs runs) {
     return SizeSearch(ensemble, stage, causes, cause, effort, runs);
   };
   const SizeSearch::Point rough = search(SizeSearch::Runs::Rough).from(x);
@@ -166,11 +169,15 @@ QuickFit fitQuickly(Ensemble& ensemble, const Stage& stage, const std::vector<Ca
 }
 
 ModelFit fitFully(Ensemble& ensemble, const JointData& data, const Stage& stage,
-                  const std::vector<Cause>& causes, const CauseList& start, const Effort& effort) {
+                  const std::vector<Cause>& causes, const CauseList& start, const Effort& effort,
+                  double promised) {
   if (start.size() == stage.model().size() + 1 && start.back().x.size() == 1) {
     const Chosen& added = start.back();
     if (const Look* look = widerLook(stage, causes, added.cause, added.x)) {
-      return fitSmall(ensemble, stage, causes, *look, effort);
+      const ModelFit small = fitSmall(ensemble, stage, causes, *look, effort);
+      const double ratio = small.model.back().x[0] / added.x[0];
+      const bool same = ratio > kKept && ratio < 1 / kKept;  // else it is not linear that far
+      if (same && small.gain > kKept * promised) return small;
     }
   }
   FitSpace space;

@@ -16,20 +16,23 @@ struct ModelFit {
   double gain = 0;           // over the stage's model [nats]
 };
 
-/// The numbers of `cause` that fit best when it is added to the stage's model, by ensembles of
-/// look_runs, the model's own numbers following linearly. Starts from `x` and looks for the size:
-/// further numbers stay.
+/// A cause added to a stage's model, the model's own numbers following linearly.
 struct QuickFit {
   std::size_t cause = 0;
   std::vector<double> x;
   double gain = 0;  // [nats]
 };
-QuickFit fitQuickly(Ensemble& ensemble, const Stage& stage, const std::vector<Cause>& causes,
-                    std::size_t cause, const std::vector<double>& x, const Effort& effort);
 
-/// All numbers of `start` at once, by ensembles of final_runs.
+/// The numbers of a cause that fit best, by ensembles of look_runs. Begins at those of `start`,
+/// whose gain is what they promise, and looks for the size: further numbers stay.
+QuickFit fitQuickly(Ensemble& ensemble, const Stage& stage, const std::vector<Cause>& causes,
+                    const QuickFit& start, const Effort& effort);
+
+/// All numbers of `start` at once, by ensembles of final_runs. `promised`: the gain that is
+/// expected of its last cause.
 ModelFit fitFully(Ensemble& ensemble, const JointData& data, const Stage& stage,
-                  const std::vector<Cause>& causes, const CauseList& start, const Effort& effort);
+                  const std::vector<Cause>& causes, const CauseList& start, const Effort& effort,
+                  double promised = 0);
 
 /// Sets one column of a fit's sensitivities, by both halves.
 void setSlope(ModelFit& fit, Eigen::Index column, const Halves& slope);

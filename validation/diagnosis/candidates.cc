@@ -67,7 +67,7 @@ std::vector<Candidate> Candidates::fittedQuickly(const Stage& stage, double crit
       not_tried_.push_back(causes_[start.cause].id);
       continue;
     }
-    put(fitQuickly(ensemble_, stage, causes_, start.cause, start.x, effort_), ranking);
+    put(fitQuickly(ensemble_, stage, causes_, start, effort_), ranking);
   }
   sortBest(ranking);
   return ranking;
@@ -92,7 +92,7 @@ void Candidates::addTwins(const Stage& stage, std::vector<Candidate>& ranking) {
       if (causes_[c].id != twin || stage.isTaken(c)) continue;
       for (const double x : {best.x[0], -best.x[0]}) {
         if (ensemble_.spent()) return;
-        put(fitQuickly(ensemble_, stage, causes_, c, {x}, effort_), ranking);
+        put(fitQuickly(ensemble_, stage, causes_, {c, {x}, 0}, effort_), ranking);
       }
     }
   }
@@ -114,7 +114,7 @@ void Candidates::fitFinalists(const Stage& stage, double critical,
 void Candidates::fitFinally(const Stage& stage, Candidate& candidate) {
   CauseList model = stage.model();
   model.push_back({candidate.cause, candidate.x});
-  candidate.fit = fitFully(ensemble_, data_, stage, causes_, model, effort_);
+  candidate.fit = fitFully(ensemble_, data_, stage, causes_, model, effort_, candidate.gain);
   candidate.gain = candidate.fit.gain;
   candidate.x = candidate.fit.model.back().x;
   candidate.full = true;

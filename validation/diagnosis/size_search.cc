@@ -87,12 +87,13 @@ SizeSearch::Point SizeSearch::shortened(Point best) const {
   return best;
 }
 
-// To where the cause would be best if it were linear, until it hardly moves.
+// To where the cause would be best if it were linear, or half the way, until it hardly moves.
 SizeSearch::Point SizeSearch::followed(Point best) const {
   for (int i = 0; i < kFollowed; ++i) {
     const double factor = std::clamp(best.scale, 1 / kFar, kFar);
     if (std::abs(factor - 1) < kNear) break;
-    const Point next = scaled(best, factor);
+    Point next = scaled(best, factor);
+    if (!isWorse(best, next)) next = scaled(best, std::sqrt(factor));
     if (!isWorse(best, next)) break;
     best = next;
   }

@@ -1,0 +1,96 @@
+#include "validation/diagnosis/candidate_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/random.h"
+#include "sim/effects/catalogue.h"
+#include "validation/diagnosis/joint_data.h"
+
+namespace nao::validation {
+namespace {
+
+constexpr JointNoise kNoNoise{};
+
+// A joint that damping drags along: by as much as there is up to 0.1, then it cannot follow at all.
+class BendingJoint final : public JointSimulator {
+ public:
+  explicit BendingJoint(double damping) {
+    for (std::size_t m = 0; m < 3; ++m) {
+      JointMotion motion{
+          "motion" + std::to_string(m), m < 2 ? Split::Fit : Split::Select, 0.01, {}};
+      for (std::uint64_t r = 0; r < 6; ++r) {
+        motion.repeats.push_back(angle(damping, m, 1000 + 10 * m + r));
+      }
+      measured_.push_back(std::move(motion));
+    }
+  }
+
+  std::string joint() const override { return "Bending"; }
+  const std::vector<JointMotion>& measured() const override { return measured_; }
+  Eigen::MatrixXd run(const std::vector<EffectSetting>& causes, std::size_t motion,
+                      std::uint64_t stream, const JointNoise&) const override {
+    double damping = 0;
+    for (const EffectSetting& cause : causes) damping += cause.parameters.at("coefficient");
+    return angle(damping, motion, stream);
+  }
+
+ private:
+  static Eigen::MatrixXd angle(double damping, std::size_t motion, std::uint64_t stream) {
+    Random random(stream, "bending");
+    const double dragged = damping < 0.1 ? damping : 0.1 + 20 * (damping - 0.1);
+    Eigen::MatrixXd angle(300, 1);
+    for (Eigen::Index k = 0; k < angle.rows(); ++k) {
+      const double t = 0.01 * static_cast<double>(k), w = 2 + static_cast<double>(motion);
+      angle(k, 0) = std::sin(w * t) - 0.1 * dragged * std::cos(w * t) + 1e-3 * random.normal();
+    }
+    return angle;
+  }
+
+  std::vector<JointMotion> measured_;
+};
+
+class DampedJoint : public testing::Test {
+ protected:
+  static std::vector<Cause> damping() {
+    for (const Cause& cause : jointCauses()) {
+      if (cause.id == "viscous_friction") return {cause};
+    }
+    return {};
+  }
+  static std::vector<Cause> bounded(std::vector<Cause> causes, const JointSimulator& joint) {
+    for (Cause& cause : causes) cause = boundedAt(cause, joint, sim::standardEffects());
+    return causes;
+  }
+
+  BendingJoint joint_{0.08};
+  std::vector<Cause> causes_ = bounded(damping(), joint_);
+  Effort effort_;
+  JointData data_{joint_, kNoNoise};
+  Ensemble ensemble_{joint_, data_, kNoNoise, 1000000};
+  Stage stage_{ensemble_, data_, causes_, {}, Eigen::MatrixXd(data_.size(), 0), effort_};
+  QuickFit start_ = startsFor(stage_, causes_, stage_.white(stage_.raw()), 10, 1).front();
+};
+
+TEST_F(DampedJoint, ALookThatIsLargerDoesNotSpeakForASmallerSizeItKnowsNothingOf) {
+  ASSERT_NEAR(start_.x[0], 0.08, 0.002);  // by the look at 0.05; that at 0.3 drags 4.1
+  const QuickFit fit = fitQuickly(ensemble_, stage_, causes_, start_, effort_);
+  EXPECT_NEAR(fit.x[0], 0.08, 0.002);
+  EXPECT_GT(fit.gain, 0.9 * start_.gain);
+}
+
+TEST_F(DampedJoint, NorInAFullFit) {
+  const CauseList model{{start_.cause, start_.x}};
+  const ModelFit fit = fitFully(ensemble_, data_, stage_, causes_, model, effort_, start_.gain);
+  EXPECT_NEAR(fit.model[0].x[0], 0.08, 0.002);
+  EXPECT_GT(fit.gain, 0.9 * start_.gain);
+}
+
+TEST_F(DampedJoint, FromTwiceTheSizeAFitComesBack) {
+  const QuickFit fit = fitQuickly(ensemble_, stage_, causes_, {0, {0.16}, start_.gain}, effort_);
+  EXPECT_NEAR(fit.x[0], 0.08, 0.005);
+}
+
+}  // namespace
+}  // namespace nao::validation
