@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "naoqi_api/al_module.h"
+#include "naoqi_api/services/al_motion_names.h"
 #include "naoqi_api/services/data_files.h"
 #include "naoqi_api/services/naoqi_method.h"
 
@@ -135,7 +136,7 @@ class AlAudioPlayer : public std::enable_shared_from_this<AlAudioPlayer> {
 
   void goTo(std::int32_t id, float position) {
     File& file = at(id);
-    const double place = std::clamp(static_cast<double>(position), 0.0, file.length);
+    const double place = std::clamp(finite(position), 0.0, file.length);
     if (file.playing) {
       go(id, file, place);
     } else {
@@ -148,8 +149,8 @@ class AlAudioPlayer : public std::enable_shared_from_this<AlAudioPlayer> {
   }
 
   rpc::Pending<void> playNamed(const std::string& name, double from, bool loops) {
-    const std::int32_t id = load(name);
-    return play(id, from, loops);
+    const double place = finite(from);
+    return play(load(name), place, loops);
   }
 
   void declareFiles(rpc::Service& service) {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/naoqi_api/services/services_bench.h"
 
 namespace nao::services {
@@ -163,6 +165,16 @@ TEST_F(BoardServices, ASoundTakesItsTimeAndCanBeStopped) {
   EXPECT_NEAR(number(call("ALAudioPlayer", "getCurrentPosition", {id})), 1, 0.1);
   call("ALAudioPlayer", "stopAll");
   EXPECT_TRUE(playing.isDone());
+}
+
+TEST_F(BoardServices, APlaceInASoundIsANumber) {
+  const Value id = call("ALAudioPlayer", "loadFile", {"/home/nao/song.mp3"});
+  const float nowhere = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(call("ALAudioPlayer", "playFileFromPosition", {"/home/nao/song.mp3", nowhere}),
+            Value("! \tALAudioPlayer::playFileFromPosition\n\texpected a finite number"));
+  EXPECT_EQ(call("ALAudioPlayer", "goTo", {id, nowhere}),
+            Value("! \tALAudioPlayer::goTo\n\texpected a finite number"));
+  EXPECT_EQ(number(call("ALAudioPlayer", "getCurrentPosition", {id})), 0);
 }
 
 TEST_F(BoardServices, AnimatedSpeechSaysItsWords) {
