@@ -5,6 +5,7 @@
 #include <boost/asio/error.hpp>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace nao::daemon {
 namespace {
@@ -42,13 +43,23 @@ class FakeStream final : public Stream {
 class TurnGateTest : public testing::Test {
  protected:
   struct Client {
-    std::shared_ptr<FakeStream::Wire> wire = std::make_shared<FakeStream::Wire>();
+    std::shared_ptr<FakeStream::Wire> wire;
     std::unique_ptr<Stream> stream;
   };
 
+  // Reads that nothing came for, dropped as a loop of sockets that ends drops them.
+  ~TurnGateTest() override {
+    for (const auto& wire : wires_) wire->got = {};
+  }
+
+  std::shared_ptr<FakeStream::Wire> makeWire() {
+    wires_.push_back(std::make_shared<FakeStream::Wire>());
+    return wires_.back();
+  }
+
   // Whose session notes what it hears under its name.
   Client connect(const std::string& name, std::uint16_t port) {
-    Client client;
+    Client client{makeWire(), nullptr};
     client.stream = gate_.guard(std::make_unique<FakeStream>(client.wire), port, 9559);
     listen(*client.stream, name);
     return client;
@@ -75,6 +86,7 @@ class TurnGateTest : public testing::Test {
   TurnGate gate_{*page_};
   std::string heard_;
   std::size_t links_ = 0;
+  std::vector<std::shared_ptr<FakeStream::Wire>> wires_;
 };
 
 TEST_F(TurnGateTest, ClientsAreHeardInTheOrderTheyCameHoweverTheirBytesDo) {
@@ -129,7 +141,7 @@ TEST_F(TurnGateTest, ALinkIsFreeOnceBothSidesHaveClosedIt) {
 }
 
 TEST_F(TurnGateTest, WhatComesAfterTheSessionHasGoneIsNobodys) {
-  const auto wire = std::make_shared<FakeStream::Wire>();
+  const auto wire = makeWire();
   {
     const auto stream = gate_.guard(std::make_unique<FakeStream>(wire), 1, 9559);
     listen(*stream, "a");
