@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <ostream>
 
 #include "camera/renderer.h"
 #include "core/scene_frame.h"
@@ -20,6 +21,8 @@ struct PublishedLens {
 };
 inline constexpr PublishedLens kPublishedLenses[] = {
     {"OV7670", 47.8, 36.8}, {"MT9M114", 60.9, 47.6}, {"OV5640", 56.3, 43.7}};
+
+inline void PrintTo(const PublishedLens& lens, std::ostream* out) { *out << lens.sensor; }
 
 /// Looks from `p_W` along x, turned down by `pitch` [rad].
 inline View viewFrom(const Vec3& p_W, double pitch, ImageSize size = {640, 480}) {

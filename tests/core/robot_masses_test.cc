@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <ostream>
 #include <sstream>
 
 #include "core/robot_model.h"
@@ -19,6 +20,8 @@ struct Published {
   double declared;      // [kg] that the documentation calls the whole; 0: none
   double torso[6];      // [kg m^2] about the centre of mass: xx, yy, zz, xy, xz, yz
 };
+
+void PrintTo(const Published& one, std::ostream* out) { *out << one.robot; }
 
 // From the tables of NAOqi 2.1.4.13 (masses pages) and NAOH25V60.urdf.
 const Published kPublished[] = {

@@ -2,9 +2,10 @@
 
 #include <cmath>
 #include <filesystem>
+#include <ostream>
 
-#include "sim/collision_body.h"
 #include "core/shape_gap.h"
+#include "sim/collision_body.h"
 #include "sim/world.h"
 #include "tests/support/models.h"
 #include "tests/support/shape_gap.h"
@@ -62,6 +63,8 @@ struct Stance {
   const char* robot;
   const char* posture;
 };
+
+void PrintTo(const Stance& one, std::ostream* out) { *out << one.robot << ' ' << one.posture; }
 
 class EveryRobotStands : public testing::TestWithParam<Stance> {};
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ostream>
 
 #include "sim/world.h"
 #include "tests/support/models.h"
@@ -18,6 +19,8 @@ struct Throw {
   Vec3 from_B;         // [m] from the sensor, in its body
   Vec3 v_B;            // [m/s]
 };
+
+void PrintTo(const Throw& one, std::ostream* out) { *out << one.robot << ' ' << one.sensor; }
 
 class TouchedByABall : public testing::TestWithParam<Throw> {
  protected:

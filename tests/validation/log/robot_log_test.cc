@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <ostream>
 
 #include "core/check.h"
 #include "core/random.h"
@@ -120,6 +121,8 @@ struct Breakage {
   const char* to;
   const char* said;
 };
+
+void PrintTo(const Breakage& one, std::ostream* out) { *out << one.name; }
 
 class BrokenSet : public ::testing::TestWithParam<Breakage> {};
 
