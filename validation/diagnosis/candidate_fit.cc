@@ -12,7 +12,9 @@ namespace nao::validation {
 namespace {
 
 constexpr double kNearlyAsGood = 0.7;  // of the best start's gain: free choice
-constexpr double kKept = 0.5;          // of what is promised: less, and it misleads
+// Of a size: what another look makes of it; beyond, its cause is not linear that far. Free choice.
+constexpr double kAlike = 0.5;
+constexpr double kKept = 0.5;  // of what is promised: less, and it misleads
 
 // Finite differences as wide as the size of interest: less matters to nobody.
 double stepOf(const FreeNumber& number) {
@@ -176,7 +178,7 @@ ModelFit fitFully(Ensemble& ensemble, const JointData& data, const Stage& stage,
     if (const Look* look = widerLook(stage, causes, added.cause, added.x)) {
       const ModelFit small = fitSmall(ensemble, stage, causes, *look, effort);
       const double ratio = small.model.back().x[0] / added.x[0];
-      const bool same = ratio > kKept && ratio < 1 / kKept;  // else it is not linear that far
+      const bool same = ratio > kAlike && ratio < 1 / kAlike;
       if (same && small.gain > kKept * promised) return small;
     }
   }

@@ -12,7 +12,6 @@ namespace nao::validation {
 namespace {
 
 constexpr double kLow = 0.05, kHigh = 0.95;  // of a 90 % interval
-constexpr double kThreshold = 0.99;  // of null sets leave less than what is told as a remainder
 constexpr double kNormal90 = 1.645;  // [SD] its half, of a normal distribution
 // How well a fitted noise is known: null sets draw theirs from what the fit says. Hidden nulls left
 // 0.6 to 1.09 of the noise floor (60 joints), laws without a name 5 and more.
@@ -176,7 +175,7 @@ void JointSearch::judgeRemainder(JointVerdict& verdict) const {
   }
   const double sd = std::sqrt(std::max(square - mean * mean, 1e-12));
   verdict.remainder_critical =
-      std::max(quantile(largest, kThreshold), (kNoiseKnown * kNoiseKnown - 1) * mean / sd);
+      std::max(quantile(largest, kConfidence), (kNoiseKnown * kNoiseKnown - 1) * mean / sd);
   verdict.remainder_score = (stage_->whiteAll(stage_->raw()).squaredNorm() / 2 - mean) / sd;
 }
 

@@ -7,7 +7,6 @@
 namespace nao::validation {
 namespace {
 
-constexpr double kConfidence = 0.99;     // of thresholds, over the null sets of a whole data set
 constexpr double kSmallestShare = 0.03;  // of the excess misfit, less is not worth a name
 constexpr double kNextBest = 0.4;        // of the best gain: tried if the best may not be named
 // Of what the greatest cause explains: the law that a robot follows is only like that of the
