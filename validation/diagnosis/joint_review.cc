@@ -5,15 +5,11 @@
 #include "validation/diagnosis/confusion.h"
 #include "validation/diagnosis/exact_slopes.h"
 #include "validation/diagnosis/joint_search.h"
-#include "validation/diagnosis/smaller_models.h"
 
 namespace nao::validation {
 namespace {
 
 constexpr double kSwap = 0.01;  // of the gain: what a rival must be better by
-constexpr double kWorthTrying =
-    5;                     // of the threshold: what a smaller model may cost by sensitivities
-constexpr int kTried = 2;  // smaller models that are simulated
 
 // Two directions of one effect, such as x and y of a tilt: no rivals, one name.
 bool samePlace(const Cause& a, const Cause& b) {
@@ -144,76 +140,6 @@ void JointSearch::swap(std::size_t place, double gain, const Stage& without, con
   accepted_.push_back(swapped);
   setRivals(accepted_.size() - 1, ranking, without);
   enterModel(best.fit);
-}
-
-// Causes that only cancel each other are each missed if they go alone: tried without several.
-bool JointSearch::prune() {
-  std::vector<LinearCause> model;
-  Eigen::Index column = 0;
-  for (const Chosen& one : fit_.model) {
-    LinearCause linear{{},
-                       Eigen::Map<const Eigen::VectorXd>(one.x.data(), one.x.size()),
-                       causes_[one.cause].linear};
-    linear.white.resize(data_.fitSize(), linear.numbers.size());
-    for (Eigen::Index i = 0; i < linear.numbers.size(); ++i, ++column) {
-      linear.white.col(i) = stage_->whitenFit(fit_.jacobian.col(column));
-    }
-    model.push_back(std::move(linear));
-  }
-  const Eigen::VectorXd left = stage_->white(stage_->raw());
-  int tried = 0;
-  for (const SmallerModel& smaller : smallerModels(model, left, kWorthTrying * critical())) {
-    if (ensemble_.spent() || tried++ == kTried) return false;
-    if (keepOnly(smaller)) return true;
-  }
-  return false;
-}
-
-// The fit without the others, as its sensitivities say.
-ModelFit JointSearch::fitWithout(const SmallerModel& smaller) const {
-  std::vector<Eigen::Index> first;  // columns of the causes
-  Eigen::Index columns = 0;
-  for (const Chosen& one : fit_.model) {
-    first.push_back(columns);
-    columns += static_cast<Eigen::Index>(one.x.size());
-  }
-  ModelFit fit;
-  fit.jacobian.resize(data_.size(), smaller.numbers.size());
-  fit.chance = fit.jacobian;
-  Eigen::Index next = 0;
-  for (const std::size_t place : smaller.kept) {
-    fit.model.push_back(fit_.model[place]);
-    const Cause& cause = causes_[fit.model.back().cause];
-    for (std::size_t i = 0; i < cause.free.size(); ++i, ++next) {
-      const Eigen::Index column = first[place] + static_cast<Eigen::Index>(i);
-      fit.jacobian.col(next) = fit_.jacobian.col(column);
-      fit.chance.col(next) = fit_.chance.col(column);
-      if (i == 0 && cause.beats) continue;
-      const FreeNumber& number = cause.free[i];
-      fit.model.back().x[i] = std::clamp(smaller.numbers[next], number.lower, number.upper);
-    }
-  }
-  return fit;
-}
-
-// Whether nothing is to be found beside these causes either: then the others are none.
-bool JointSearch::keepOnly(const SmallerModel& smaller) {
-  Snapshot whole = snapshot();
-  enterModel(fitWithout(smaller));
-  if (stage_->largestGain(stage_->white(stage_->raw())) > critical()) {
-    restore(std::move(whole));
-    return false;
-  }
-  for (std::size_t place = accepted_.size(); place-- > 0;) {
-    const auto& kept = smaller.kept;
-    if (std::find(kept.begin(), kept.end(), place) != kept.end()) continue;
-    drop(place, accepted_[place].gain, "no longer needed beside the others");
-  }
-  std::size_t place = 0;
-  for (std::size_t left = accepted_.size(); left > 0 && !ensemble_.spent(); --left) {
-    if (!reviewOne(place)) ++place;
-  }
-  return true;
 }
 
 // The last numbers, and their intervals, are by exact runs alone.

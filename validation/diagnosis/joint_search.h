@@ -13,6 +13,7 @@
 
 namespace nao::validation {
 
+struct LinearCause;
 struct SmallerModel;
 
 /// What the null sets of a joint, simulated at its model, show by chance; one entry per set.
@@ -109,7 +110,9 @@ class JointSearch {
   double excess() const;
   bool prune();
   ModelFit fitWithout(const SmallerModel& smaller) const;
-  bool keepOnly(const SmallerModel& smaller);
+  ModelFit fitAnew(const std::vector<std::size_t>& kept);
+  std::vector<LinearCause> asLinear() const;
+  bool keepOnly(const std::vector<std::size_t>& kept, const ModelFit& fit);
   void refine();
   void setRivals(std::size_t place, const std::vector<Candidate>& ranking, const Stage& stage);
   Confusion confusionAmong(const std::vector<Candidate>& ranking, const Stage& stage) const;

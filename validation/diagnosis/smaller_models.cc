@@ -8,6 +8,8 @@ namespace {
 
 using Places = std::vector<std::size_t>;
 
+constexpr double kUndone = 0.1;  // of the lesser one's squares: what two may leave of each other
+
 Eigen::MatrixXd columnsOf(const std::vector<LinearCause>& model, const Places& kept) {
   Eigen::MatrixXd all(model.front().white.rows(), 0);
   for (const std::size_t place : kept) {
@@ -57,6 +59,20 @@ std::vector<SmallerModel> smallerModels(const std::vector<LinearCause>& model,
     return a.kept.size() != b.kept.size() ? a.kept.size() < b.kept.size() : a.cost < b.cost;
   });
   return found;
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> undoneByEachOther(
+    const std::vector<LinearCause>& model) {
+  std::vector<Eigen::VectorXd> acts;
+  for (const LinearCause& one : model) acts.push_back(one.white * one.numbers);
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t i = 0; i < acts.size(); ++i) {
+    for (std::size_t k = i + 1; k < acts.size(); ++k) {
+      const double lesser = std::min(acts[i].squaredNorm(), acts[k].squaredNorm());
+      if ((acts[i] + acts[k]).squaredNorm() < kUndone * lesser) pairs.emplace_back(i, k);
+    }
+  }
+  return pairs;
 }
 
 }  // namespace nao::validation

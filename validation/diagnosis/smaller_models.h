@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -25,5 +26,10 @@ struct SmallerModel {
 /// first, then cheapest. `left`: the whitened residual at the model's numbers.
 std::vector<SmallerModel> smallerModels(const std::vector<LinearCause>& model,
                                         const Eigen::VectorXd& left, double most);
+
+/// Pairs of a model's causes that undo each other but for a small part, places in order. What the
+/// model is without both slopes at such sizes do not tell.
+std::vector<std::pair<std::size_t, std::size_t>> undoneByEachOther(
+    const std::vector<LinearCause>& model);
 
 }  // namespace nao::validation

@@ -53,5 +53,16 @@ TEST(SmallerModels, OfOneCauseThereIsNone) {
   EXPECT_TRUE(smallerModels({servo()}, kNothingLeft, 1e9).empty());
 }
 
+TEST(SmallerModels, TellsPairsThatUndoEachOtherWhateverTheyLeave) {
+  LinearCause late = spring();
+  late.linear = false;
+  late.numbers[0] = 0.6;  // a sixth more than the bias takes back
+  const auto pairs = undoneByEachOther({servo(), late, bias()});
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_EQ(pairs[0], std::make_pair(std::size_t{1}, std::size_t{2}));
+  late.numbers[0] = 1;
+  EXPECT_TRUE(undoneByEachOther({servo(), late, bias()}).empty());
+}
+
 }  // namespace
 }  // namespace nao::validation
