@@ -10,6 +10,7 @@ namespace nao::validation {
 namespace {
 
 constexpr double kSwap = 0.01;  // of the gain: what a rival must be better by
+constexpr double kNear = 2;     // [SD of the measured mean] over so short a way slopes hold
 
 // Two directions of one effect, such as x and y of a tilt: no rivals, one name.
 bool samePlace(const Cause& a, const Cause& b) {
@@ -148,7 +149,13 @@ void JointSearch::refine() {
   if (fit_.model.empty() || ensemble_.spent()) return;
   fit_.model = stage_->model();  // where its residual was taken
   setExactSlopes(ensemble_, causes_, effort_.base_runs / 3, *stage_, fit_);
+  const Eigen::VectorXd start = numbersOf(fit_.model);
   moveNumbers(fit_, stage_->raw(), *stage_, causes_);
+  const Eigen::VectorXd change = fit_.jacobian * (numbersOf(fit_.model) - start);
+  if (stage_->whitenFit(change).norm() < kNear) {
+    left_ -= change;
+    return;
+  }
   const RunPool pool = ensemble_.pool(settingsOf(causes_, fit_.model), effort_.base_runs);
   left_ = data_.mean() - pool.mean;
   const Eigen::VectorXd before = numbersOf(fit_.model);
