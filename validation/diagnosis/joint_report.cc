@@ -6,6 +6,7 @@
 
 #include "core/random.h"
 #include "validation/diagnosis/joint_search.h"
+#include "validation/diagnosis/motion_votes.h"
 #include "validation/diagnosis/signature.h"
 
 namespace nao::validation {
@@ -37,6 +38,24 @@ Eigen::MatrixXd reestimated(const Stage& stage, const ModelFit& fit) {
     moves.row(n) = steps(stage.whitenFit(null)).transpose();
   }
   return moves;
+}
+
+// Beyond chance: what is wrong otherwise draws each motion's numbers its own way.
+void addDisagreement(const JointData& data, const Stage& stage, const ModelFit& fit,
+                     const Eigen::VectorXd& left, Eigen::MatrixXd& moves) {
+  const SlopeSteps steps = stepsOf(fit, stage);
+  std::vector<Eigen::MatrixXd> by_chance;
+  for (const Eigen::VectorXd& null : stage.nulls()) {
+    by_chance.push_back(votesOf(data, stage, fit, steps, null));
+  }
+  const Eigen::VectorXd variance =
+      disagreement(votesOf(data, stage, fit, steps, left), by_chance);
+  Random random(1, "disagreement");
+  for (Eigen::Index n = 0; n < moves.rows(); ++n) {
+    for (Eigen::Index i = 0; i < moves.cols(); ++i) {
+      moves(n, i) += std::sqrt(variance[i]) * random.normal();
+    }
+  }
 }
 
 // What equal robots differ by in the numbers themselves.
@@ -81,7 +100,10 @@ void setInterval(FoundNumber& number, const Eigen::VectorXd& moves) {
 void JointSearch::describe(JointVerdict& verdict) {
   verdict.joint = joint_.joint();
   Eigen::MatrixXd moves;
-  if (!accepted_.empty()) moves = reestimated(*stage_, fit_);
+  if (!accepted_.empty()) {
+    moves = reestimated(*stage_, fit_);
+    addDisagreement(data_, *stage_, fit_, left_, moves);
+  }
   addSpread(causes_, fit_.model, moves);
   Eigen::Index column = 0;
   for (std::size_t i = 0; i < accepted_.size(); ++i) {
