@@ -192,13 +192,14 @@ void runWhole(const Arguments& arguments, const validation::LogSet& set,
   if (!arguments.joint.empty()) {
     throw InputError("--joint " + arguments.joint + ": expected --level joint");
   }
+  const validation::VerdictRecords records = recordsOf(arguments);
   validation::WholeDiagnosisOptions options;
   options.level = arguments.level == "limb" ? validation::Level::Limb : validation::Level::Robot;
   options.jobs = arguments.jobs;
   if (!arguments.budget.empty()) options.seconds = secondsOf(arguments.budget);
   options.progress = [](const std::string& what) { std::fprintf(stderr, "%s\n", what.c_str()); };
   auto found = validation::diagnoseWhole(set, model, options);
-  addRecords(found.set, recordsOf(arguments), arguments.level, "whole robot", leastRepeats(set));
+  addRecords(found.set, records, arguments.level, "whole robot", leastRepeats(set));
   const validation::Provenance provenance = provenanceOf(arguments, set, name);
   const std::string json = toJson(found, provenance);
   writeReport(arguments, json, arguments.out.empty() ? "" : wholePage(found, provenance));
@@ -226,6 +227,7 @@ validation::FoldedSet diagnoseTasks(const std::vector<validation::JointTask>& ta
 void runJoints(const Arguments& arguments, const validation::LogSet& set,
                const std::shared_ptr<const RobotModel>& model, const std::string& name,
                const std::shared_ptr<const validation::Team>& team, StandBy& stand_by) {
+  const validation::VerdictRecords records = recordsOf(arguments);  // its mistakes cost no search
   const validation::Provenance provenance = provenanceOf(arguments, set, name);
   validation::DiagnosisOptions options;
   options.jobs = arguments.jobs;
@@ -246,7 +248,7 @@ void runJoints(const Arguments& arguments, const validation::LogSet& set,
   }
   const auto tasks = tasksOf(prepared, arguments.joint);
   auto [found, notes] = diagnoseTasks(tasks, prepared, options);
-  addRecords(found, recordsOf(arguments), tasks);
+  addRecords(found, records, tasks);
   const std::string json = toJson(found, provenance);
   if (!arguments.out.empty()) {
     const auto examined = validation::examineJoints(found, tasks, options);

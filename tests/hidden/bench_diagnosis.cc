@@ -22,7 +22,7 @@ struct Arguments {
   std::string preset = "quick";
   std::uint64_t seed = 1;
   std::string shard = "1/1";
-  bool json = false;
+  bool json = false, add = false;
   int most = 0;
   std::string kind, record;
   std::vector<std::string> results;  // that are there already
@@ -119,8 +119,11 @@ void run(const Arguments& arguments) {
     std::printf("%s%s", toText(figures).c_str(), listWrong(lines).c_str());
   }
   if (arguments.record.empty()) return;
+  using validation::VerdictRecords;
+  const VerdictRecords record = trackRecord(
+      lines, arguments.add ? VerdictRecords::read(arguments.record) : VerdictRecords());
   std::ofstream out(arguments.record);
-  if (!(out << toYaml(lines)).flush()) {
+  if (!(out << toYaml(record)).flush()) {
     throw InputError("--record " + arguments.record + ": can not be written");
   }
 }
@@ -153,6 +156,7 @@ int main(int argc, char** argv) {
   app.add_option("--record", arguments.record,
                  "Writes what the statements of these diagnoses came to, by kind: the table that\n"
                  "`usarnaoqi diagnose` quotes from (validation/record/diagnosis.yaml).");
+  app.add_flag("--add", arguments.add, "To what --record holds already, instead of anew.");
   app.add_option("--program", arguments.place.program, "The program on trial.");
   app.add_option("--robots-dir", arguments.place.robots_dir, "The nominal models.");
   app.add_flag("--keep", arguments.place.keep_sets, "Keep the sets.");

@@ -28,11 +28,13 @@ bool isCounted(const Json& line) {
 
 }  // namespace
 
-validation::VerdictRecords trackRecord(const std::vector<std::string>& lines) {
-  validation::VerdictRecords records;
+validation::VerdictRecords trackRecord(const std::vector<std::string>& lines,
+                                       const validation::VerdictRecords& before) {
+  validation::VerdictRecords records = before;
   for (const std::string& one : lines) {
     const Json line = parse(one);
     if (!isCounted(line)) continue;
+    records.addSets(1);
     const std::string engine = engineOf(line.at("truth").at("kind"));
     for (const Json& said : line.at("statements")) {
       const validation::StatementKind kind{said.at("level"), said.at("verdict"), said.at("size"),
@@ -44,14 +46,11 @@ validation::VerdictRecords trackRecord(const std::vector<std::string>& lines) {
   return records;
 }
 
-std::string toYaml(const std::vector<std::string>& lines) {
-  int sets = 0;
-  for (const std::string& line : lines) sets += isCounted(parse(line));
+std::string toYaml(const validation::VerdictRecords& records) {
   return "# How statements of `usarnaoqi diagnose` turned out where the truth was known.\n"
          "# Made by: usarnaoqi bench diagnosis --results ... --record validation/record/"
-         "diagnosis.yaml\n"
-         "made_of: \"" +
-         std::to_string(sets) + " hidden sets\"\n" + trackRecord(lines).yaml();
+         "diagnosis.yaml\n" +
+         records.yaml();
 }
 
 }  // namespace nao::hidden

@@ -30,14 +30,22 @@ TEST(TrackRecord, CountsStatementsByTheEngineOfTheirSet) {
 TEST(TrackRecord, ItsFileIsReadByTheDiagnosis) {
   const TemporaryFolder folder;
   const std::vector<std::string> lines{line("single", kRight), line("single", kWrong)};
-  const std::string file = folder.write("record.yaml", toYaml(lines));
+  const std::string file = folder.write("record.yaml", toYaml(trackRecord(lines)));
   EXPECT_EQ(validation::VerdictRecords::read(file).yaml(), trackRecord(lines).yaml());
-  EXPECT_NE(toYaml(lines).find("2 hidden sets"), std::string::npos);
+  EXPECT_EQ(validation::VerdictRecords::read(file).sets(), 2);
+}
+
+TEST(TrackRecord, LaterSetsAreAddedToEarlierOnes) {
+  const std::vector<std::string> early{line("single", kRight)},
+      late{line("single", kWrong), line("data_fault", kWrong)};
+  std::vector<std::string> all = early;
+  all.insert(all.end(), late.begin(), late.end());
+  EXPECT_EQ(trackRecord(late, trackRecord(early)).yaml(), trackRecord(all).yaml());
 }
 
 // The file of the repository is what no sets give until hidden sets are judged with this program.
 TEST(TrackRecord, OfNoSetsIsEmpty) {
-  EXPECT_NE(toYaml({}).find("diagnosis_record: []"), std::string::npos);
+  EXPECT_NE(toYaml({}).find("hidden_sets: 0\ndiagnosis_record: []"), std::string::npos);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ namespace {
 
 constexpr char kTop[] = "diagnosis_record";
 constexpr char kOwn[] = "own";
+constexpr int kMost = 1'000'000'000;
 const std::vector<std::string> kKeys = {"level", "verdict", "size", "signals", "repeats", "engine"};
 
 std::vector<std::string> rowOf(const StatementKind& kind, const std::string& engine) {
@@ -58,12 +59,11 @@ VerdictRecords VerdictRecords::read(const std::string& file) {
   VerdictRecords records;
   if (!std::filesystem::exists(file)) return records;
   Config::read(file, [&](Config& top) {
-    if (top.has("made_of")) top.text("made_of");  // for a reader
+    records.sets_ = top.has("hidden_sets") ? top.integer("hidden_sets", 0, kMost) : 0;
     top.list(kTop, Config::Presence::Optional, [&](Config& row) {
       std::vector<std::string> words;
       for (const std::string& key : kKeys) words.push_back(row.text(key));
       Outcomes& outcomes = records.rows_[words];
-      constexpr int kMost = 1'000'000'000;
       outcomes.of = row.integer("of", 1, kMost);
       outcomes.right = row.integer("right", 0, outcomes.of);
       outcomes.wrong = row.integer("wrong", 0, outcomes.of - outcomes.right);
@@ -98,7 +98,7 @@ std::string VerdictRecords::textOf(const StatementKind& kind) const {
 
 std::string VerdictRecords::yaml() const {
   std::ostringstream out;
-  out << kTop << ":" << (rows_.empty() ? " []" : "") << "\n";
+  out << "hidden_sets: " << sets_ << "\n" << kTop << ":" << (rows_.empty() ? " []" : "") << "\n";
   for (const auto& [words, outcomes] : rows_) {
     out << "  - {";
     for (std::size_t i = 0; i < kKeys.size(); ++i) {

@@ -17,6 +17,7 @@ struct Outcomes {
 /// How diagnoses did where the truth was known: statements counted by their kind and by the engine
 /// that the hidden sets came from. The file is a table that `usarnaoqi bench diagnosis --record`
 /// writes:
+///   hidden_sets: 120
 ///   diagnosis_record:
 ///     - {level: joint, verdict: named, size: large, signals: angle, repeats: 6, engine: own,
 ///        right: 93, wrong: 2, of: 100}
@@ -26,12 +27,16 @@ class VerdictRecords {
   /// A file that is not there has no records. @throws InputError for one that is something else.
   static VerdictRecords read(const std::string& file);
 
+  /// Sets that all statements together are about.
+  void addSets(int count) { sets_ += count; }
+  int sets() const { return sets_; }
   void add(const StatementKind& kind, const std::string& engine, const Outcomes& outcomes);
   /// "named: right 93 of 100, wrong 2 (sets of MuJoCo: right 20 of 25)", or that there are none.
   std::string textOf(const StatementKind& kind) const;
   std::string yaml() const;
 
  private:
+  int sets_ = 0;
   std::map<std::vector<std::string>, Outcomes> rows_;  // by kind and engine
 };
 
