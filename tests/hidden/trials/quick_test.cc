@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <functional>
 #include <future>
 
@@ -23,7 +24,7 @@ struct Trials {
   std::string wrong;
 };
 
-// Two at a time: a child diagnoses each, and CI has two cores.
+// Two at a time, whoever is free takes the next: a child diagnoses each, and CI has two cores.
 Trials tryCases(const std::function<bool(const HiddenCase&)>& chosen) {
   const TemporaryFolder folder;
   TrialPlace place;
@@ -34,14 +35,15 @@ Trials tryCases(const std::function<bool(const HiddenCase&)>& chosen) {
   const auto left_out = [&](const HiddenCase& hidden) { return !chosen(hidden); };
   cases.erase(std::remove_if(cases.begin(), cases.end(), left_out), cases.end());
   std::vector<std::string> lines(cases.size());
-  const auto every_second = [&](std::size_t first) {
-    for (std::size_t i = first; i < cases.size(); i += 2) {
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < cases.size(); i = next++) {
       cases[i].limbs = true;
       lines[i] = runTrial(cases[i], place);
     }
   };
-  std::future<void> other = std::async(std::launch::async, every_second, 1);
-  every_second(0);
+  std::future<void> other = std::async(std::launch::async, work);
+  work();
   other.get();
   return {figuresOf(lines), listWrong(lines)};
 }
