@@ -15,7 +15,7 @@ namespace {
 struct Options {
   std::string report, model = "nao_h21_v33", robots_dir = "robots", name;
   std::string set;
-  std::vector<std::string> accept;
+  validation::Accepted accepted;
   bool empirical = false, causes_only = false;
   int jobs = 1;
 };
@@ -52,8 +52,8 @@ void run(const Options& options) {
   const std::string report = options.report + "/report.json";
   validation::requireNewRobot(robots, options.name);
   std::vector<EffectSetting> causes;
-  if (!options.empirical || !options.accept.empty()) {
-    causes = validation::acceptedEffects(report, options.accept, *model);
+  if (!options.empirical || !options.accepted.causes.empty()) {
+    causes = validation::acceptedEffects(report, options.accepted, *model);
   }
   if (options.empirical) {
     for (EffectSetting& one : empiricalEffects(options, report, *model, causes)) {
@@ -80,8 +80,10 @@ void addExtend(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "extend", "Makes a robot of the nominal one and the causes that a diagnosis found.");
   command->add_option("dir", options->report, "What `diagnose --out` wrote.")->required();
-  command->add_option("--accept", options->accept,
+  command->add_option("--accept", options->accepted.causes,
                       "Causes to accept, rivals too. Default: all that are named alone.");
+  command->add_option("--robot-id", options->accepted.robot_id,
+                      "Of a set of several robots the one that is extended.");
   command->add_flag("--empirical", options->empirical,
                     "Also what has no name: the signature of what remains, as a torque.");
   command->add_flag("--causes-only", options->causes_only,

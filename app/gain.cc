@@ -6,19 +6,21 @@
 
 #include "app/commands.h"
 #include "app/source_paths.h"
+#include "validation/log/log_robots.h"
 
 namespace nao::app {
 namespace {
 
 struct Options {
-  std::string set, before, after, robots_dir = "robots";
+  std::string set, before, after, robot_id, robots_dir = "robots";
   validation::GainOptions gain;
   bool json = false;
 };
 
 void run(const Options& options) {
   const std::string robots = findSourceFile(options.robots_dir);
-  const validation::LogSet set = validation::readLogSet(options.set);
+  const validation::LogSet set =
+      validation::runsOfOne(validation::readLogSet(options.set), options.robot_id);
   const std::string name = options.before.empty() ? set.robot : options.before;
   const auto before = loadRobotModel(robots, name);
   const auto after = loadRobotModel(robots, options.after);
@@ -38,6 +40,8 @@ void addGain(CLI::App& app) {
   command->add_option("set", options->set, "Folder of the set (RobotLog 1).")->required();
   command->add_option("--before", options->before, "The nominal robot; default: the set's own.");
   command->add_option("--after", options->after, "The extended robot.")->required();
+  command->add_option("--robot-id", options->robot_id,
+                      "Of a set of several robots this one's runs.");
   command->add_option("--robots-dir", options->robots_dir, "Where the robots' folders are.")
       ->capture_default_str();
   command->add_option("--runs", options->gain.runs, "Simulated runs per motion.")

@@ -8,12 +8,13 @@
 #include "app/source_paths.h"
 #include "validation/diagnosis/replay_set.h"
 #include "validation/log/error_map.h"
+#include "validation/log/log_robots.h"
 
 namespace nao::app {
 namespace {
 
 struct Options {
-  std::string what, model;
+  std::string what, model, robot_id;
   ReplayRunOptions run;
   validation::ReplayOptions replay;
   bool json = false;
@@ -22,7 +23,8 @@ struct Options {
 constexpr int kDiffers = 20;  // exit code
 
 void replaySet(const Options& options) {
-  const validation::LogSet set = validation::readLogSet(options.what);
+  const validation::LogSet set =
+      validation::runsOfOne(validation::readLogSet(options.what), options.robot_id);
   const std::string name = options.model.empty() ? set.robot : options.model;
   const std::string robots = findSourceFile("robots");
   // Of a robot without a model the error map is of command against sensor.
@@ -83,6 +85,8 @@ void addReplay(CLI::App& app) {
   command->add_option("what", options->what, "A recorded run, or the folder of a set (RobotLog 1).")
       ->required();
   command->add_option("--model", options->model, "A robot of robots/; default: the set's own.");
+  command->add_option("--robot-id", options->robot_id,
+                      "Of a set of several robots this one's runs.");
   command->add_option("--runs", options->replay.runs, "Simulated runs per motion.")
       ->check(CLI::Range(2, 1000));
   command->add_option("--jobs", options->replay.jobs, "Threads; the result is the same.")

@@ -19,6 +19,21 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
+template <class Names>
+std::string list(const Names& names) {
+  std::string all;
+  for (const auto& name : names) all += (all.empty() ? "" : ", ") + name;
+  return all;
+}
+
+InputError noSuchNumber(const std::string& file, const EffectSetting& setting, const Json& number) {
+  std::vector<std::string> known;
+  for (const auto& [name, value] : setting.parameters) known.push_back(name);
+  return InputError(file + ": " + setting.name + " has no parameter '" +
+                    number.at("parameter").get<std::string>() +
+                    "', expected one of: " + list(known));
+}
+
 // A report gives the numbers that were fitted; what was not is as if switched off.
 EffectSetting settingOf(const Json& cause, const std::vector<Joint>& joints,
                         const std::string& file) {
@@ -31,7 +46,9 @@ EffectSetting settingOf(const Json& cause, const std::vector<Joint>& joints,
   setting.joints = joints;
   setting.place = file;
   for (const Json& number : cause.at("numbers")) {
-    setting.parameters.at(number.at("parameter")) = number.at("value");
+    const auto parameter = setting.parameters.find(number.at("parameter").get<std::string>());
+    if (parameter == setting.parameters.end()) throw noSuchNumber(file, setting, number);
+    parameter->second = number.at("value");
   }
   return setting;
 }
@@ -39,8 +56,8 @@ EffectSetting settingOf(const Json& cause, const std::vector<Joint>& joints,
 /// Takes effects out of a report, one finding after the other.
 class Acceptance {
  public:
-  Acceptance(std::string file, const std::vector<std::string>& accept)
-      : file_(std::move(file)), wanted_(accept.begin(), accept.end()) {}
+  Acceptance(std::string file, const std::vector<std::string>& causes)
+      : file_(std::move(file)), wanted_(causes.begin(), causes.end()) {}
 
   void takeFrom(const Json& finding, const std::vector<Joint>& joints) {
     held_.insert(finding.at("cause").get<std::string>());
@@ -75,12 +92,6 @@ class Acceptance {
     settings_.push_back(settingOf(cause, joints, file_));
   }
 
-  static std::string list(const std::set<std::string>& ids) {
-    std::string all;
-    for (const std::string& id : ids) all += (all.empty() ? "" : ", ") + id;
-    return all;
-  }
-
   std::string file_;
   std::set<std::string> wanted_, held_;
   std::vector<EffectSetting> settings_;
@@ -96,10 +107,42 @@ void readReport(const std::string& file, const std::function<void(const Json&)>&
   }
 }
 
-Joint jointOf(const std::string& name, const std::string& file, const RobotModel& model) {
-  const auto joint = model.findJoint(name);
-  if (!joint) throw InputError(file + ": robot '" + model.name + "' has no joint '" + name + "'");
-  return *joint;
+// "LHipPitch", or "7/LHipPitch" in a report of several robots.
+struct Place {
+  explicit Place(const std::string& text) {
+    const std::size_t slash = text.rfind('/');
+    name = slash == std::string::npos ? text : text.substr(slash + 1);
+    robot_id = slash == std::string::npos ? "" : text.substr(0, slash);
+  }
+  std::string robot_id, name;
+};
+
+// The joints of a place; none: all that the robot has.
+std::vector<Joint> jointsOf(const std::string& place, const std::string& file,
+                            const RobotModel& model) {
+  if (place == "robot") return {};
+  if (const auto joint = model.findJoint(place)) return {*joint};
+  const auto limb = model.groups.find(place);
+  if (limb == model.groups.end()) {
+    throw InputError(file + ": robot '" + model.name + "' has no joint or limb '" + place + "'");
+  }
+  std::vector<Joint> joints;
+  for (const std::string& name : limb->second) {
+    if (const auto joint = model.findJoint(name)) joints.push_back(*joint);
+  }
+  return joints;
+}
+
+// Every extension is of one robot.
+void requireRobot(const Json& report, const std::string& robot_id, const std::string& file) {
+  std::set<std::string> robots;
+  for (const Json& entry : report.at("joints")) robots.insert(Place(entry.at("joint")).robot_id);
+  robots.erase("");
+  if (robots.count(robot_id) > 0 || (robots.empty() && robot_id.empty())) return;
+  const std::string fault =
+      robot_id.empty() ? "is of several robots" : "is not of '" + robot_id + "'";
+  throw InputError(file + ": " + fault + "; expected " +
+                   (robots.empty() ? "no --robot-id" : "--robot-id with one of: " + list(robots)));
 }
 
 std::string number(double value) {
@@ -123,15 +166,17 @@ std::string lineOf(const EffectSetting& setting, const RobotModel& model) {
 
 }  // namespace
 
-std::vector<EffectSetting> acceptedEffects(const std::string& report_file,
-                                           const std::vector<std::string>& accept,
+std::vector<EffectSetting> acceptedEffects(const std::string& report_file, const Accepted& accepted,
                                            const RobotModel& model) {
-  Acceptance acceptance(report_file, accept);
+  Acceptance acceptance(report_file, accepted.causes);
   readReport(report_file, [&](const Json& report) {
+    requireRobot(report, accepted.robot_id, report_file);
     for (const Json& finding : report.at("shared")) acceptance.takeFrom(finding, {});
-    for (const Json& joint : report.at("joints")) {
-      const Joint place = jointOf(joint.at("joint"), report_file, model);
-      for (const Json& finding : joint.at("findings")) acceptance.takeFrom(finding, {place});
+    for (const Json& entry : report.at("joints")) {
+      const Place place(entry.at("joint"));
+      if (place.robot_id != accepted.robot_id) continue;
+      const std::vector<Joint> joints = jointsOf(place.name, report_file, model);
+      for (const Json& finding : entry.at("findings")) acceptance.takeFrom(finding, joints);
     }
   });
   return acceptance.finish();
@@ -141,10 +186,10 @@ std::vector<EffectSetting> reportedAdjustments(const std::string& report_file,
                                                const RobotModel& model) {
   std::vector<EffectSetting> settings;
   readReport(report_file, [&](const Json& report) {
-    for (const Json& joint : report.at("joints")) {
-      const Joint place = jointOf(joint.at("joint"), report_file, model);
-      for (const Json& one : joint.value("adjustments", Json::array())) {
-        settings.push_back(settingOf(one, {place}, report_file));
+    for (const Json& entry : report.at("joints")) {
+      for (const Json& one : entry.value("adjustments", Json::array())) {
+        settings.push_back(
+            settingOf(one, jointsOf(entry.at("joint"), report_file, model), report_file));
       }
     }
   });

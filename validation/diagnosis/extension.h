@@ -7,13 +7,17 @@
 
 namespace nao::validation {
 
-/// The effects that a diagnosis found, as they stand in its report.json: those of all joints first,
-/// then joint by joint. With `accept` empty: what is named alone. Else the causes of these ids,
-/// rivals of the named ones included. Places name the report.
+/// What is taken out of a report.
+struct Accepted {
+  std::vector<std::string> causes;  // ids, rivals of named ones too; empty: all that is named alone
+  std::string robot_id;             // of several robots in the set, this one; empty: the only one
+};
+
+/// The effects that a diagnosis of any level found, as they stand in its report.json: those of all
+/// joints first, then place by place: the whole robot, limbs, joints. Their places name the report.
 /// @throws InputError for a report that is not one, a robot it does not fit, an id it does not
 /// hold, and for a report of which nothing can be accepted.
-std::vector<EffectSetting> acceptedEffects(const std::string& report_file,
-                                           const std::vector<std::string>& accept,
+std::vector<EffectSetting> acceptedEffects(const std::string& report_file, const Accepted& accepted,
                                            const RobotModel& model);
 
 /// What the report says that this robot differs by beside them: too little to be a cause, joint by

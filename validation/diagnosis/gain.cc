@@ -7,8 +7,8 @@
 
 #include "core/config.h"
 #include "validation/diagnosis/prepared_set.h"
-#include "validation/diagnosis/replay.h"
 #include "validation/diagnosis/team.h"
+#include "validation/diagnosis/whole_replay.h"
 
 namespace nao::validation {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 // An error that grew by more than this part has grown: less is chance. Free choice.
 constexpr double kWorse = 1.05;
 
-std::vector<JointReplay> replayTest(const LogSet& set, std::shared_ptr<const RobotModel> model,
+std::vector<JointReplay> replayHung(const LogSet& set, std::shared_ptr<const RobotModel> model,
                                     const GainOptions& options) {
   const PreparedSet prepared = prepareSet(set, std::move(model), options.jobs);
   std::vector<JointReplay> replays(prepared.joints.size());
@@ -26,6 +26,19 @@ std::vector<JointReplay> replayTest(const LogSet& set, std::shared_ptr<const Rob
         replayJoint(joint.simulator->exact(), {}, joint.noise, options.runs, {Split::Test});
   });
   return replays;
+}
+
+WholeReplay replayTest(const LogSet& set, std::shared_ptr<const RobotModel> model,
+                       const GainOptions& options) {
+  WholeReplay replay;
+  if (set.environment.suspended || model->fixed_base) {
+    replay.joints = replayHung(set, std::move(model), options);
+    return replay;
+  }
+  WholeOptions whole;
+  whole.splits = {Split::Test};
+  const WholeSimulator simulator(set, std::move(model), whole);
+  return replayWhole(simulator, {}, runsOfEach(simulator, options.runs), options.jobs);
 }
 
 void requireSameJoints(const std::vector<JointReplay>& before,
@@ -74,6 +87,32 @@ void addRows(const std::vector<JointReplay>& before, const std::vector<JointRepl
                                          : "Worse than before: " + worse + ".");
 }
 
+void addGait(const WholeReplay& before, const WholeReplay& after, Report& report) {
+  if (before.gait.empty()) return;
+  TextTable table{"Test runs: mean of the gait",
+                  {"motion", "", "unit", "measured", "before", "after", "floor"},
+                  {}};
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < before.gait.size(); ++i) {
+    const GaitReplay &a = before.gait[i], &b = after.gait[i];
+    rows.push_back({{"motion", a.motion},
+                    {"name", a.name},
+                    {"measured", a.measured},
+                    {"before", a.measured + a.error},
+                    {"after", b.measured + b.error},
+                    {"floor", a.floor}});
+    table.lines.push_back({a.motion, a.name, a.unit, fixed(a.measured, 4),
+                           fixed(a.measured + a.error, 4), fixed(b.measured + b.error, 4),
+                           fixed(a.floor, 4)});
+  }
+  report.figures.push_back({"gait", std::move(rows)});
+  report.tables.push_back(std::move(table));
+  if (before.fell + after.fell == 0) return;
+  report.remarks.push_back("Of " + std::to_string(before.runs) + " simulated runs " +
+                           std::to_string(before.fell) + " fell before, " +
+                           std::to_string(after.fell) + " after.");
+}
+
 }  // namespace
 
 Report measureGain(const LogSet& set, std::shared_ptr<const RobotModel> before,
@@ -83,8 +122,9 @@ Report measureGain(const LogSet& set, std::shared_ptr<const RobotModel> before,
   report.command = "gain";
   report.robot = after->name;
   report.runs = options.runs;
-  const std::vector<JointReplay> old_errors = replayTest(set, std::move(before), options);
-  const std::vector<JointReplay> new_errors = replayTest(set, std::move(after), options);
+  const WholeReplay old_replay = replayTest(set, std::move(before), options);
+  const WholeReplay new_replay = replayTest(set, std::move(after), options);
+  const std::vector<JointReplay>&old_errors = old_replay.joints, &new_errors = new_replay.joints;
   if (old_errors.empty()) throw InputError(set.name + ": no joint was commanded and measured");
   requireSameJoints(old_errors, new_errors, report.robot);
   const double floor = rootMeanSquare(old_errors, &JointReplay::floor);
@@ -97,6 +137,7 @@ Report measureGain(const LogSet& set, std::shared_ptr<const RobotModel> before,
   report.figures.push_back({"floor_rmse", floor});
   report.figures.push_back({"test_openings", static_cast<double>(openings)});
   addRows(old_errors, new_errors, report);
+  addGait(old_replay, new_replay, report);
   report.remarks.push_back("Error " + fixed(1e3 * old_rmse, 2) + " -> " + fixed(1e3 * new_rmse, 2) +
                            " mrad on runs not used for anything else, floor " +
                            fixed(1e3 * floor, 2) + "; they were opened " +

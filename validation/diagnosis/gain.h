@@ -10,14 +10,15 @@
 namespace nao::validation {
 
 struct GainOptions {
-  int runs = 32;  // simulated per motion
+  int runs = 32;  // simulated per motion, at least
   int jobs = 1;   // threads; the result is the same
 };
 
 /// `usarnaoqi gain`: how much nearer `after` comes than `before` to the test runs of a set, which
 /// nothing else looks at: error of the mean of the simulated runs against the mean of the repeats,
 /// per joint and over all, beside the floor that the repeats' own spread leaves; and where it got
-/// worse. `openings`: how often the test runs have been looked at, this time included.
+/// worse. Of a robot on its feet also where it went and how it swayed. `openings`: how often the
+/// test runs have been looked at, this time included.
 /// @throws InputError if the two robots do not have the same joints.
 Report measureGain(const LogSet& set, std::shared_ptr<const RobotModel> before,
                    std::shared_ptr<const RobotModel> after, int openings,

@@ -14,7 +14,8 @@ struct ReplayOptions {
 };
 
 /// `usarnaoqi replay`: the commands of a set's fit and select runs on the model, per joint: error
-/// of the means, what noise explains of it, and measured beside simulated spread.
+/// of the means, what noise explains of it, and measured beside simulated spread; of a robot on its
+/// feet also its gait.
 Report replaySet(const LogSet& set, std::shared_ptr<const RobotModel> model,
                  const ReplayOptions& options);
 

@@ -6,27 +6,10 @@
 #include <map>
 
 #include "validation/diagnosis/gait_numbers.h"
+#include "validation/log/log_robots.h"
 
 namespace nao::validation {
 namespace {
-
-// Robots in the order of their first runs.
-std::vector<std::string> robotsOf(const LogSet& set) {
-  std::vector<std::string> robots;
-  for (const LogRun& run : set.runs) {
-    if (std::find(robots.begin(), robots.end(), run.robot_id) == robots.end()) {
-      robots.push_back(run.robot_id);
-    }
-  }
-  return robots;
-}
-
-LogSet runsOf(const LogSet& set, const std::string& robot) {
-  LogSet part = set;
-  const auto other = [&](const LogRun& run) { return run.robot_id != robot; };
-  part.runs.erase(std::remove_if(part.runs.begin(), part.runs.end(), other), part.runs.end());
-  return part;
-}
 
 struct Moments {
   double sum = 0, squares = 0, count = 0;

@@ -219,7 +219,7 @@ WholeSimulator::WholeSimulator(const LogSet& set, std::shared_ptr<const RobotMod
   }
   joints_ = jointsMeasured(set, *model_);
   if (joints_.empty()) throw InputError(set.name + ": no joint was measured in all runs");
-  for (const Split split : {Split::Fit, Split::Select}) {
+  for (const Split split : options_.splits) {
     for (const LogRun& run : set.runs) {
       if (run.split != split) continue;
       const auto same = [&](const WholeBlock& block) {
@@ -239,8 +239,9 @@ WholeSimulator::WholeSimulator(const LogSet& set, std::shared_ptr<const RobotMod
     for (const std::size_t run : block.runs) cut(measured_[run], block.rows);
   }
   for (const WholeRun& run : measured_) walks_.push_back(!model_->fixed_base && walks(run));
-  if (blocks_.empty() || blocks_.front().split != Split::Fit) {
-    throw InputError(set.name + ": expected at least one run to fit");
+  const Split first = options_.splits.front();
+  if (blocks_.empty() || blocks_.front().split != first) {
+    throw InputError(set.name + ": expected at least one run to " + nameOf(first));
   }
 }
 

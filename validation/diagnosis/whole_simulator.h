@@ -21,7 +21,8 @@ struct WholeBlock {
 struct WholeOptions {
   Duration step = std::chrono::milliseconds(2);
   double settle = 2.5;  // [s] held in the first pose before a run: the torso's angle settles in 1 s
-  const sim::EffectCatalogue* catalogue = nullptr;  // null: standardEffects()
+  const sim::EffectCatalogue* catalogue = nullptr;       // null: standardEffects()
+  std::vector<Split> splits{Split::Fit, Split::Select};  // whose runs are replayed
 };
 
 /// Predicts the runs of a set whose robot stands on its feet, or hangs by its torso: the model of
@@ -30,13 +31,13 @@ struct WholeOptions {
 /// soles, at rest, in the first row's pose. One object may be asked by several threads at once.
 class WholeSimulator {
  public:
-  /// Test runs are left out, nobody here opens them. @throws InputError.
+  /// Test runs are left out unless asked for, which only `gain` does. @throws InputError.
   WholeSimulator(const LogSet& set, std::shared_ptr<const RobotModel> model,
                  const WholeOptions& options = {});
 
   const RobotModel& model() const { return *model_; }
   const std::vector<WholeRun>& measured() const { return measured_; }
-  /// Those to fit first.
+  /// In the order of WholeOptions::splits.
   const std::vector<WholeBlock>& blocks() const { return blocks_; }
   const std::vector<Joint>& joints() const { return joints_; }  // that were measured
   const sim::EffectCatalogue& catalogue() const;

@@ -36,16 +36,20 @@ class ExtensionTest : public testing::Test {
                           std::filesystem::copy_options::recursive);
     model_ = loadRobotModel(folder_.path(), "nao_h21_v33");
   }
-  std::vector<EffectSetting> accept(const std::vector<std::string>& ids) const {
-    return acceptedEffects(report_, ids, *model_);
+  std::vector<EffectSetting> accept(const std::vector<std::string>& ids,
+                                    const std::string& robot = "") const {
+    return acceptedEffects(report_, {ids, robot}, *model_);
   }
-  std::string complaint(const std::vector<std::string>& ids) const {
+  std::string complaint(const std::vector<std::string>& ids, const std::string& robot = "") const {
     try {
-      accept(ids);
+      accept(ids, robot);
     } catch (const InputError& error) {
       return folder_.withoutPath(error.what());
     }
     return "nothing";
+  }
+  void isReported(const std::string& places) {
+    report_ = folder_.write("whole.json", R"({"shared": [], "joints": [)" + places + "]}");
   }
 
   TemporaryFolder folder_;
@@ -77,6 +81,40 @@ TEST_F(ExtensionTest, SmallAdjustmentsAreTheirJointsOwn) {
   ASSERT_THAT(namesOf(adjustments), ElementsAre("kd_error"));
   EXPECT_EQ(adjustments[0].parameters.at("part"), -0.01);
   EXPECT_THAT(adjustments[0].joints, ElementsAre(*model_->findJoint("LKneePitch")));
+}
+
+// {"joint": `place`, one cause without a rival}
+std::string told(const std::string& place, const std::string& cause, const std::string& number) {
+  return R"({"joint": ")" + place + R"(", "findings": [{"cause": ")" + cause +
+         R"(", "rivals": [], "numbers": [{"parameter": ")" + number + R"(", "value": 0.5}]}]})";
+}
+
+TEST_F(ExtensionTest, TakesWhatTheWholeRobotAndALegHave) {
+  isReported(told("robot", "ground_friction", "scale") + ", " + told("LLeg", "kp_error", "part") +
+             ", " + told("LHipPitch", "encoder_offset", "angle"));
+  const std::vector<EffectSetting> effects = accept({});
+  EXPECT_THAT(namesOf(effects), ElementsAre("ground_friction", "kp_error", "encoder_offset"));
+  EXPECT_TRUE(effects[0].joints.empty());
+  EXPECT_EQ(effects[1].joints.size(), 6u);
+  EXPECT_THAT(effects[2].joints, ElementsAre(*model_->findJoint("LHipPitch")));
+}
+
+TEST_F(ExtensionTest, OfSeveralRobotsOneIsExtended) {
+  isReported(told("sound/robot", "ground_friction", "scale") + ", " +
+             told("faulty/LHipPitch", "kp_error", "part"));
+  EXPECT_THAT(namesOf(accept({}, "faulty")), ElementsAre("kp_error"));
+  EXPECT_EQ(complaint({}),
+            "whole.json: is of several robots; expected --robot-id with one of: faulty, sound");
+  EXPECT_EQ(complaint({}, "other"),
+            "whole.json: is not of 'other'; expected --robot-id with one "
+            "of: faulty, sound");
+}
+
+TEST_F(ExtensionTest, APlaceOrNumberThatIsNoneIsToldByItsName) {
+  isReported(told("LTail", "kp_error", "part"));
+  EXPECT_EQ(complaint({}), "whole.json: robot 'nao_h21_v33' has no joint or limb 'LTail'");
+  isReported(told("LHipPitch", "kp_error", "gain"));
+  EXPECT_EQ(complaint({}), "whole.json: kp_error has no parameter 'gain', expected one of: part");
 }
 
 TEST_F(ExtensionTest, SaysWhatItCouldHaveTaken) {
