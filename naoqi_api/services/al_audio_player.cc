@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "naoqi_api/al_module.h"
-#include "naoqi_api/services/al_motion_names.h"
 #include "naoqi_api/services/data_files.h"
+#include "naoqi_api/services/finite.h"
 #include "naoqi_api/services/naoqi_method.h"
 
 namespace nao::services {
@@ -28,6 +28,9 @@ std::uint32_t littleEndian(const char* bytes) {
   for (int i = 3; i >= 0; --i) number = number << 8U | static_cast<unsigned char>(bytes[i]);
   return number;
 }
+
+// Louder than all and quieter than nothing are the ends of the range.
+float within(float loud) { return static_cast<float>(std::clamp(finite(loud), 0.0, 1.0)); }
 
 // [s] of a plain WAV file (RIFF header of 44 bytes: bytes per second at 28, of data at 40).
 double lengthOf(const std::filesystem::path& file) {
@@ -269,14 +272,14 @@ class AlAudioPlayer : public std::enable_shared_from_this<AlAudioPlayer> {
     const Argument volume{"volume", "0 to 1; no sound is heard."};
     addFunction(
         service, "setVolume",
-        [this](std::int32_t number, float loud) { at(number).volume = std::clamp(loud, 0.F, 1.F); },
-        "Is kept.", Argument{"id", "What loadFile() returned."}, volume);
+        [this](std::int32_t number, float loud) { at(number).volume = within(loud); }, "Is kept.",
+        Argument{"id", "What loadFile() returned."}, volume);
     addFunction(
         service, "getVolume", [this](std::int32_t number) { return at(number).volume; },
         "What was kept; 1 at first.", Argument{"id", "What loadFile() returned."});
     addFunction(
-        service, "setMasterVolume", [this](float loud) { master_ = std::clamp(loud, 0.F, 1.F); },
-        "Is kept.", volume);
+        service, "setMasterVolume", [this](float loud) { master_ = within(loud); }, "Is kept.",
+        volume);
     addFunction(
         service, "getMasterVolume", [this] { return master_; }, "What was kept; 1 at first.");
     addFunction(

@@ -7,7 +7,7 @@
 
 #include "core/random.h"
 #include "naoqi_api/al_module.h"
-#include "naoqi_api/services/al_motion_names.h"
+#include "naoqi_api/services/finite.h"
 #include "naoqi_api/services/naoqi_method.h"
 
 namespace nao::services {

@@ -3,6 +3,7 @@
 #include "motion/trajectory.h"
 #include "naoqi_api/call_error.h"
 #include "naoqi_api/services/al_motion_names.h"
+#include "naoqi_api/services/finite.h"
 
 namespace nao::services {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "core/shape_gap.h"
 #include "naoqi_api/services/al_motion_names.h"
+#include "naoqi_api/services/finite.h"
 #include "naoqi_api/services/naoqi_method.h"
 
 namespace nao::services {

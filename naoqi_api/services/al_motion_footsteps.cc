@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "naoqi_api/services/al_motion_names.h"
+#include "naoqi_api/services/finite.h"
 #include "naoqi_api/services/naoqi_method.h"
 
 namespace nao::services {

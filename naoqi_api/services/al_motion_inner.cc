@@ -6,6 +6,7 @@
 #include "core/check.h"
 #include "motion/support_polygon.h"
 #include "naoqi_api/services/al_motion_names.h"
+#include "naoqi_api/services/finite.h"
 #include "naoqi_api/services/naoqi_method.h"
 
 namespace nao::services {

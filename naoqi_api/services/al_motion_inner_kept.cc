@@ -94,9 +94,8 @@ void AlMotionInner::declareBlindZones(rpc::Service& service) {
       .at(322)
       .answering(Answer::Simplified);
   addFunction(
-      service, "_setBlindZoneDistance",
-      [zones](float distance) { zones->distance = distance; }, "Is kept.",
-      Argument{"Distance", "[m]"})
+      service, "_setBlindZoneDistance", [zones](float distance) { zones->distance = distance; },
+      "Is kept.", Argument{"Distance", "[m]"})
       .at(325)
       .answering(Answer::Simplified);
   addFunction(

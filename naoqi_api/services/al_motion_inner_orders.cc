@@ -4,6 +4,7 @@
 #include "motion/posture_family.h"
 #include "naoqi_api/services/al_motion_inner.h"
 #include "naoqi_api/services/al_motion_names.h"
+#include "naoqi_api/services/finite.h"
 #include "naoqi_api/services/naoqi_method.h"
 
 namespace nao::services {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "naoqi_api/convert.h"
+#include "naoqi_api/services/finite.h"
 
 namespace nao::services {
 namespace {
@@ -163,11 +164,6 @@ std::vector<double> spreadNumbers(std::size_t joints, const rpc::Value& values) 
                          " for " + count(joints, "joint"));
   }
   return numbers;
-}
-
-double finite(double number) {
-  if (!std::isfinite(number)) throw rpc::CallError("expected a finite number");
-  return number;
 }
 
 double readFraction(double fraction) {

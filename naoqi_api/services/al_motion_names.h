@@ -51,9 +51,6 @@ std::vector<Course> spreadCourses(const RobotModel& model, const std::vector<std
 /// One number per joint: a number for all, or a list of one each. @throws CallError.
 std::vector<double> spreadNumbers(std::size_t joints, const rpc::Value& values);
 
-/// @throws CallError unless the number is finite.
-double finite(double number);
-
 /// A part of top speed: above 0; more than 1 counts as 1. @throws CallError.
 double readFraction(double fraction);
 

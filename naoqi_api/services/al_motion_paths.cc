@@ -6,6 +6,7 @@
 #include "naoqi_api/call_error.h"
 #include "naoqi_api/convert.h"
 #include "naoqi_api/services/al_motion_names.h"
+#include "naoqi_api/services/finite.h"
 
 namespace nao::services {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "naoqi_api/services/al_motion_move_config.h"
 #include "naoqi_api/services/al_motion_names.h"
+#include "naoqi_api/services/finite.h"
 
 namespace nao::services {
 namespace {

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "naoqi_api/services/al_motion_names.h"
+#include "naoqi_api/services/finite.h"
 #include "naoqi_api/services/naoqi_method.h"
 #include "naoqi_api/services/settings.h"
 #include "naoqi_api/services/target_follower.h"

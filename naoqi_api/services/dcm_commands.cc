@@ -5,6 +5,7 @@
 
 #include "naoqi_api/call_error.h"
 #include "naoqi_api/convert.h"
+#include "naoqi_api/services/finite.h"
 
 namespace nao::services {
 namespace {
@@ -30,11 +31,7 @@ DirectCommands::Merge readMerge(const Value& value) {
                   ", expected ClearAll, Merge, ClearAfter or ClearBefore");
 }
 
-float readNumber(const Value& value) {
-  const float number = value.to<float>();
-  if (!std::isfinite(number)) throw CallError("expected a finite number");
-  return number;
-}
+float readNumber(const Value& value) { return static_cast<float>(finite(value.to<float>())); }
 
 DcmCommand readCommand(const Value& value) {
   const Items& items = itemsOf(value, "[value, time]");

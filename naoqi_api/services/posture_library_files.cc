@@ -1,6 +1,7 @@
 // The libraries of postures that clients write and load.
 
 #include "naoqi_api/services/al_motion_names.h"
+#include "naoqi_api/services/finite.h"
 #include "naoqi_api/services/naoqi_method.h"
 #include "naoqi_api/services/posture_library.h"
 

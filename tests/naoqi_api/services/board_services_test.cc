@@ -177,6 +177,19 @@ TEST_F(BoardServices, APlaceInASoundIsANumber) {
   EXPECT_EQ(number(call("ALAudioPlayer", "getCurrentPosition", {id})), 0);
 }
 
+TEST_F(BoardServices, AVolumeIsKeptWithinItsRangeAndIsANumber) {
+  const Value id = call("ALAudioPlayer", "loadFile", {"/home/nao/song.mp3"});
+  call("ALAudioPlayer", "setVolume", {id, 3.F});
+  EXPECT_EQ(number(call("ALAudioPlayer", "getVolume", {id})), 1);
+  const float nothing = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(call("ALAudioPlayer", "setVolume", {id, nothing}),
+            Value("! \tALAudioPlayer::setVolume\n\texpected a finite number"));
+  EXPECT_EQ(call("ALAudioPlayer", "setMasterVolume", {nothing}),
+            Value("! \tALAudioPlayer::setMasterVolume\n\texpected a finite number"));
+  EXPECT_EQ(number(call("ALAudioPlayer", "getVolume", {id})), 1);
+  EXPECT_EQ(number(call("ALAudioPlayer", "getMasterVolume")), 1);
+}
+
 TEST_F(BoardServices, AnimatedSpeechSaysItsWords) {
   call("ALAnimatedSpeech", "say", {"Hello ^start(animations/Hey_1) you"});
   EXPECT_EQ(log_.back(), "says: Hello  you");
