@@ -7,24 +7,30 @@
 #include "app/commands.h"
 #include "app/source_paths.h"
 #include "validation/diagnosis/extension.h"
+#include "validation/diagnosis/whole_optimise.h"
+#include "validation/log/log_robots.h"
 
 namespace nao::app {
 namespace {
 
 struct Options {
-  std::string set, model, free, name, robots_dir = "robots";
+  std::string set, model, free, name, robot_id, robots_dir = "robots";
   validation::OptimiseOptions optimise;
   bool json = false;
 };
 
 void run(const Options& options) {
   const std::string robots = findSourceFile(options.robots_dir);
-  const validation::LogSet set = validation::readLogSet(options.set);
+  const validation::LogSet set =
+      validation::runsOfOne(validation::readLogSet(options.set), options.robot_id);
   const auto model = loadRobotModel(robots, options.model.empty() ? set.robot : options.model);
-  const auto free = validation::parseFree(options.free, *model);
+  const bool whole = !set.environment.suspended && !model->fixed_base;
+  const auto free = validation::parseFree(options.free, *model, whole);
   if (!options.name.empty()) validation::requireNewRobot(robots, options.name);
-  const auto prepared = validation::prepareSet(set, model, options.optimise.jobs);
-  const auto found = validation::optimise(prepared, free, options.optimise);
+  const auto found =
+      whole ? validation::optimiseWhole(set, model, free, options.optimise)
+            : validation::optimise(validation::prepareSet(set, model, options.optimise.jobs), free,
+                                   options.optimise);
   const validation::Report report = reportOptimised(found, model->name);
   std::printf("%s", (options.json ? toJson(report) + "\n" : toText(report)).c_str());
   if (options.name.empty()) return;
@@ -46,6 +52,8 @@ void addOptimise(CLI::App& app) {
                    "effect.parameter[@joint],...: without a joint one number for all of them,\n"
                    "with @each one for every joint.")
       ->required();
+  command->add_option("--robot-id", options->robot_id,
+                      "Of a set of several robots this one's runs.");
   command->add_option("-o,--output", options->name, "Write a robot of this name.");
   command->add_option("--robots-dir", options->robots_dir, "Where the robots' folders are.")
       ->capture_default_str();

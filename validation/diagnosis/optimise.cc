@@ -17,22 +17,11 @@
 namespace nao::validation {
 namespace {
 
-constexpr const char* kEach = "each";
 constexpr std::size_t kManyLogs = 8;      // as blocks of their own; fewer are cut into seconds
 constexpr Eigen::Index kBlockRows = 100;  // about a second
 constexpr std::uint64_t kSeed = 1;
 
-const sim::Parameter& parameterOf(const FreeParameter& free) {
-  const sim::EffectType* type = sim::standardEffects().find(free.effect);
-  NAO_CHECK(type != nullptr);
-  const auto found =
-      std::find_if(type->parameters.begin(), type->parameters.end(),
-                   [&](const sim::Parameter& p) { return p.name == free.parameter; });
-  NAO_CHECK(found != type->parameters.end());
-  return *found;
-}
-
-FreeParameter parseOne(const std::string& text, const RobotModel& model) {
+FreeParameter parseOne(const std::string& text, const RobotModel& model, bool whole) {
   const std::size_t at = text.find('@'), dot = text.find('.');
   FreeParameter free;
   if (dot == std::string::npos || (at != std::string::npos && at < dot)) {
@@ -42,10 +31,9 @@ FreeParameter parseOne(const std::string& text, const RobotModel& model) {
   free.parameter = text.substr(dot + 1, at == std::string::npos ? at : at - dot - 1);
   if (at != std::string::npos) free.joint = text.substr(at + 1);
   const sim::EffectType* type = sim::standardEffects().find(free.effect);
-  if (type == nullptr || !sim::actsOnJoint(*type)) {
-    throw InputError("--free " + text +
-                     ": expected an effect that acts on a joint; `usarnaoqi "
-                     "effects` lists all");
+  if (type == nullptr || (!whole && !sim::actsOnJoint(*type))) {
+    throw InputError("--free " + text + ": expected an effect" +
+                     (whole ? "" : " that acts on a joint") + "; `usarnaoqi effects` lists all");
   }
   std::string names;
   for (const sim::Parameter& p : type->parameters) names += (names.empty() ? "" : ", ") + p.name;
@@ -53,7 +41,7 @@ FreeParameter parseOne(const std::string& text, const RobotModel& model) {
                    [&](const sim::Parameter& p) { return p.name == free.parameter; })) {
     throw InputError("--free " + text + ": expected a parameter of " + free.effect + ": " + names);
   }
-  if (!free.joint.empty() && free.joint != kEach && !model.findJoint(free.joint)) {
+  if (!free.joint.empty() && free.joint != kEachJoint && !model.findJoint(free.joint)) {
     throw InputError("--free " + text + ": " + model.name + " has no joint '" + free.joint + "'");
   }
   return free;
@@ -164,7 +152,7 @@ class SetFit {
   const RigSimulator& simulator(std::size_t joint) const { return *set_.joints[joint].simulator; }
 
   void addNumber(const FreeParameter& free) {
-    if (free.joint != kEach) {
+    if (free.joint != kEachJoint) {
       numbers_.push_back(free);
       return;
     }
@@ -275,17 +263,27 @@ Eigen::MatrixXd jacobianOf(SetFit& set, const FitSpace& space, const std::vector
   return jacobian;
 }
 
+}  // namespace
+
+const sim::Parameter& parameterOf(const FreeParameter& free) {
+  const sim::EffectType* type = sim::standardEffects().find(free.effect);
+  NAO_CHECK(type != nullptr);
+  const auto found =
+      std::find_if(type->parameters.begin(), type->parameters.end(),
+                   [&](const sim::Parameter& p) { return p.name == free.parameter; });
+  NAO_CHECK(found != type->parameters.end());
+  return *found;
+}
+
 std::string nameOf(const FreeParameter& free) {
   return free.effect + "." + free.parameter + (free.joint.empty() ? "" : "@" + free.joint);
 }
 
-}  // namespace
-
-std::vector<FreeParameter> parseFree(const std::string& list, const RobotModel& model) {
+std::vector<FreeParameter> parseFree(const std::string& list, const RobotModel& model, bool whole) {
   std::vector<FreeParameter> all;
   std::istringstream in(list);
   for (std::string one; std::getline(in, one, ',');) {
-    if (!one.empty()) all.push_back(parseOne(one, model));
+    if (!one.empty()) all.push_back(parseOne(one, model, whole));
   }
   if (all.empty()) throw InputError("--free: expected effect.parameter[@joint],...");
   // Numbers of one effect act together: side by side.
@@ -309,7 +307,8 @@ Optimised optimise(const PreparedSet& prepared, const std::vector<FreeParameter>
   found.after = meanError(residual);
   found.select_after = meanError(set.residual(best.x, Split::Select));
   found.settings = set.settings(best.x);
-  found.by_log = logs.size() >= kManyLogs;
+  found.intervals = std::string("the fit's ") + (logs.size() >= kManyLogs ? "logs" : "seconds") +
+                    " drawn again with replacement";
   const auto blocks = blocksOf(logs, kManyLogs, kBlockRows);
   const Eigen::MatrixXd moves = bootstrapMoves(jacobianOf(set, space, best.x, residual), residual,
                                                set.weights(residual), blocks, options.sets, kSeed);
@@ -361,8 +360,7 @@ Report reportOptimised(const Optimised& found, const std::string& robot) {
                            " mrad, of the select motions " + fixed(1e3 * found.select_before, 2) +
                            " -> " + fixed(1e3 * found.select_after, 2) +
                            "; test motions were not opened.");
-  report.remarks.push_back(std::string("Intervals: the fit's ") +
-                           (found.by_log ? "logs" : "seconds") + " drawn again with replacement.");
+  report.remarks.push_back("Intervals: " + found.intervals + ".");
   return report;
 }
 

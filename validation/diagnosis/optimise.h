@@ -15,9 +15,17 @@ struct FreeParameter {
   std::string effect, parameter, joint;
 };
 
+inline constexpr const char* kEachJoint = "each";  // FreeParameter::joint of every joint
+
+/// As it is written: "effect.parameter@joint".
+std::string nameOf(const FreeParameter& free);
+/// What the catalogue says of it.
+const sim::Parameter& parameterOf(const FreeParameter& free);
+
 /// "effect.parameter[@joint],...". @throws InputError for an effect, parameter or joint that is
-/// none, and for effects that no single joint can show.
-std::vector<FreeParameter> parseFree(const std::string& list, const RobotModel& model);
+/// none, and, unless of a `whole` robot, for effects that no single joint can show.
+std::vector<FreeParameter> parseFree(const std::string& list, const RobotModel& model,
+                                     bool whole = false);
 
 struct OptimiseOptions {
   int jobs = 1;
@@ -36,7 +44,7 @@ struct Optimised {
   std::vector<EffectSetting> settings;  // deviations from the robot
   double before = 0, after = 0;         // [rad] mean absolute error of the fit motions
   double select_before = 0, select_after = 0;
-  bool by_log = true;  // intervals: drawn by whole logs, else by seconds
+  std::string intervals;  // what they are, for a person
 };
 
 /// Fits these numbers to the `fit` motions of a set, all at once, by the rigs of its joints;

@@ -74,8 +74,7 @@ class Builder {
       : model_(model), measured_(measured) {}
 
   void add(const Cause& cause, const std::string& place, const std::vector<Joint>& joints) {
-    const std::vector<Joint>& acting = joints.empty() ? measured_ : joints;
-    all_.push_back({bounded(cause, model_, acting), place, joints});
+    all_.push_back(placedCause(cause, place, joints, model_, measured_));
     std::vector<FreeNumber>& numbers = all_.back().cause.free;
     if (cause.coupled) {
       numbers[0].starts = kSlopes;
@@ -170,6 +169,12 @@ void addBaseParameters(Builder& builder, const std::string& limb,
 }
 
 }  // namespace
+
+PlacedCause placedCause(const Cause& cause, const std::string& place,
+                        const std::vector<Joint>& joints, const RobotModel& model,
+                        const std::vector<Joint>& measured) {
+  return {bounded(cause, model, joints.empty() ? measured : joints), place, joints};
+}
 
 EffectSetting PlacedCause::setting(const std::vector<double>& x) const {
   EffectSetting setting = settingOf(cause, x);

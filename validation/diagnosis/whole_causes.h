@@ -18,6 +18,12 @@ struct PlacedCause {
   std::string sentence(const std::string& value) const;
 };
 
+/// A cause of these joints (none: of all that `measured` has, or the world) with units and bounds,
+/// as far as what the model has leaves room.
+PlacedCause placedCause(const Cause& cause, const std::string& place,
+                        const std::vector<Joint>& joints, const RobotModel& model,
+                        const std::vector<Joint>& measured);
+
 /// The causes of the robot level: of the ground and the body's mass, every cause of the joint level
 /// that acts in one way on all joints, the main ones of a leg, and of every joint. What a lower
 /// level has found stands among them and competes again.

@@ -26,7 +26,7 @@ void WholeSearch::judge(WholeVerdict& verdict) const {
   verdict.remainder = verdict.misfit_after;
   verdict.remainder_critical = quantile(nulls, 1 - false_alarms_) / middle * kModelError;
   bool named = false, ambiguous = false;
-  const Eigen::MatrixXd draws = drawNumbers();
+  const Eigen::MatrixXd draws = drawNumbers(*stage_, fit_.jacobian);
   for (std::size_t place = 0; place < fit_.model.size(); ++place) {
     verdict.findings.push_back(finding(place, draws));
     const Finding& found = verdict.findings.back().finding;
@@ -48,20 +48,6 @@ void WholeSearch::describe(WholeVerdict& verdict) const {
   verdict.spread = spread_;
   verdict.not_tried = not_tried_;
   if (!not_tried_.empty()) verdict.verdict = Verdict::Unfinished;
-}
-
-// What the numbers of the model would be in each null set: one Gauss-Newton step.
-Eigen::MatrixXd WholeSearch::drawNumbers() const {
-  const Eigen::Index n = fit_.jacobian.cols();
-  Eigen::MatrixXd draws(n, static_cast<Eigen::Index>(stage_->nulls().size()));
-  if (n == 0) return draws;
-  Eigen::MatrixXd white(task_.data->fitSize(), n);
-  for (Eigen::Index i = 0; i < n; ++i) white.col(i) = stage_->whitenFit(fit_.jacobian.col(i));
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solve(white);
-  for (Eigen::Index set = 0; set < draws.cols(); ++set) {
-    draws.col(set) = solve.solve(stage_->whitenFit(stage_->nulls()[static_cast<std::size_t>(set)]));
-  }
-  return draws;
 }
 
 std::vector<FoundNumber> WholeSearch::numbersOf(const WholeChosen& chosen) const {

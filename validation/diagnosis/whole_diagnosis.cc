@@ -38,7 +38,7 @@ class RobotCase {
 
   // `false_alarms`: of this robot.
   void diagnose(double false_alarms) {
-    const WholeData data(simulator_, judged(simulator_.joints()), options_.level == Level::Robot);
+    const WholeData data(simulator_, simulator_.judged(), options_.level == Level::Robot);
     tell("comparing the scatter of the repeats");
     spread_ = fitSpread(data, {}, options_.effort.base_runs, options_.jobs);
     into_.spreads.push_back({robot_, spread_, spread_});
@@ -49,26 +49,17 @@ class RobotCase {
     }
     const auto limbs = limbsOf(simulator_.model(), simulator_.joints());
     for (const std::string& limb : limbs) {
-      const WholeData part(simulator_,
-                           judged(jointsOf(simulator_.model(), limb, simulator_.joints())), false);
+      const WholeData part(simulator_, jointsOf(simulator_.model(), limb, simulator_.judged()),
+                           false);
       search(part, limbCauses(simulator_.model(), limb, simulator_.joints()), limb,
              false_alarms / static_cast<double>(limbs.size()));
     }
   }
 
  private:
-  // Feet on the ground hold the two hinges of a shared motor against each other within their play,
-  // in a way that no sensor tells and a replay can not know: such a joint is not judged.
   bool isJudged(Joint joint) const {
-    return simulator_.model().fixed_base ||
-           simulator_.model().actuators[index(joint)].coordinates.size() == 1;
-  }
-  std::vector<Joint> judged(const std::vector<Joint>& joints) const {
-    std::vector<Joint> some;
-    for (const Joint joint : joints) {
-      if (isJudged(joint)) some.push_back(joint);
-    }
-    return some;
+    const std::vector<Joint> judged = simulator_.judged();
+    return std::find(judged.begin(), judged.end(), joint) != judged.end();
   }
 
   void search(const WholeData& data, std::vector<PlacedCause> causes, const std::string& whole,

@@ -13,8 +13,6 @@ namespace nao::validation {
 namespace {
 
 constexpr std::size_t kAllRuns = 1000000;
-// Of a fit: one number moves nearly straight to its place, several along valleys.
-constexpr int kIterations = 3, kIterationsOfSeveral = 10;
 // Of the excess misfit, that a cause must explain at least; as at the joint level.
 constexpr double kLeastShare = 0.03;
 // 99 % of chi-square with one degree of freedom, maximised over about ten independent looks, half:
@@ -28,40 +26,6 @@ constexpr double kLessNoise = 0.8;
 // Of what was wrong at first, that a further cause must explain at least: a replay renders a gross
 // effect to about a tenth, which leaves a hundredth of its misfit to causes that are none.
 constexpr double kLeastOfAll = 0.02;
-
-// All numbers of a model in one row, and back.
-std::vector<double> flat(const WholeModel& model) {
-  std::vector<double> x;
-  for (const WholeChosen& one : model) x.insert(x.end(), one.x.begin(), one.x.end());
-  return x;
-}
-WholeModel withNumbers(WholeModel model, const std::vector<double>& x) {
-  std::size_t at = 0;
-  for (WholeChosen& one : model) {
-    for (double& number : one.x) number = x[at++];
-  }
-  return model;
-}
-
-double stepOf(const FreeNumber& number, double x) {
-  return std::max({number.smallest / 2, 0.05 * std::abs(x), 1e-6});
-}
-
-FitSpace spaceOf(const std::vector<PlacedCause>& causes, const WholeModel& model) {
-  FitSpace space;
-  const bool several = flat(model).size() > 1;
-  space.iterations = several ? kIterationsOfSeveral : kIterations;
-  for (const WholeChosen& one : model) {
-    for (std::size_t i = 0; i < one.x.size(); ++i) {
-      const FreeNumber& number = causes[one.cause].cause.free[i];
-      space.start.push_back(std::clamp(one.x[i], number.lower, number.upper));
-      space.lower.push_back(number.lower);
-      space.upper.push_back(number.upper);
-      space.step.push_back(stepOf(number, one.x[i]));
-    }
-  }
-  return space;
-}
 
 }  // namespace
 
@@ -84,7 +48,7 @@ WholeVerdict WholeSearch::run() {
   return verdict;
 }
 
-void WholeSearch::enter(const Fit& fit) {
+void WholeSearch::enter(const WholeFit& fit) {
   fit_ = fit;
   if (fit_.jacobian.cols() == 0) fit_.jacobian.resize(task_.data->size(), 0);
   learnNoise();
@@ -94,7 +58,7 @@ void WholeSearch::enter(const Fit& fit) {
   critical_ = quantile(stage_->nullGains(), 1 - false_alarms_);
   spread_of_gain_ = std::max(1.0, critical_ / kWhiteThreshold);
   for (const std::size_t cause : stage_->notTried()) not_tried_.push_back(labelOf(cause, ""));
-  fit_.residual = stage_->whitenFit(simulatedResidual(fit_.model, true));
+  fit_.residual = stage_->whitenFit(simulatedResidual(task_, fit_.model, true));
   fit_.cost = fit_.residual.squaredNorm() / 2;
 }
 
@@ -105,30 +69,6 @@ void WholeSearch::learnNoise() {
                         task_.jobs);
   }
   task_.noise = spread_.noise;
-}
-
-Eigen::VectorXd WholeSearch::simulatedResidual(const WholeModel& model, bool fit_only) const {
-  const WholeData& data = *task_.data;
-  std::size_t most = 1;
-  for (const WholeBlock& block : data.simulator().blocks()) {
-    most = std::max(most, block.runs.size());
-  }
-  const auto means = meansOf(
-      data.simulate(settingsOf(*task_.causes, model), perRun(task_.effort.fit_runs, most), kAllRuns,
-                    fit_only, static_cast<std::uint64_t>(WholeStream::Base), task_.noise, 1));
-  std::vector<Eigen::VectorXd> difference(data.runs());
-  for (std::size_t run = 0; run < data.runs(); ++run) {
-    if (means[run].size() > 0) difference[run] = data.measured(run) - means[run];
-  }
-  return data.stackMeans(difference);
-}
-
-WholeSearch::Fit WholeSearch::fitModel(const WholeModel& start) const {
-  const auto residual = [&](const std::vector<double>& x) {
-    return stage_->whitenFit(simulatedResidual(withNumbers(start, x), true));
-  };
-  const FitPoint point = leastSquares(residual, spaceOf(*task_.causes, start));
-  return {withNumbers(start, point.x), point.residual, {}, point.cost};
 }
 
 // Where the fit of a cause may begin: where its best look would be best, and where it was taken. A
@@ -155,18 +95,18 @@ std::vector<WholeChosen> WholeSearch::beginningsOf(const WholeLook& look, double
   return all;
 }
 
-WholeSearch::Fit WholeSearch::fitFrom(const WholeLook& look, double scale) const {
+WholeFit WholeSearch::fitFrom(const WholeLook& look, double scale) const {
   WholeModel best;
   double least = std::numeric_limits<double>::infinity();
   for (const WholeChosen& beginning : beginningsOf(look, scale)) {
     WholeModel model = fit_.model;
     model.push_back(beginning);
-    const double cost = stage_->whitenFit(simulatedResidual(model, true)).squaredNorm();
+    const double cost = stage_->whitenFit(simulatedResidual(task_, model, true)).squaredNorm();
     if (cost >= least) continue;
     least = cost;
     best = std::move(model);
   }
-  return fitModel(best);
+  return fitModel(task_, *stage_, best);
 }
 
 std::vector<WholeSearch::Candidate> WholeSearch::rank() {
@@ -250,8 +190,8 @@ void WholeSearch::take(const std::vector<Candidate>& ranking, const Candidate& o
   }
   accepted_.push_back(accepted);
   gained_ += one.gain;
-  Fit next = one.fit;
-  next.jacobian = jacobianOf(next.model);
+  WholeFit next = one.fit;
+  next.jacobian = jacobianOf(task_, next.model);
   enter(next);
 }
 
@@ -261,14 +201,14 @@ void WholeSearch::compareAgain() {
   tell("comparing again with less noise");
   WholeModel less = fit_.model;
   less.pop_back();
-  const double before = stage_->whitenFit(simulatedResidual(less, true)).squaredNorm() / 2;
+  const double before = stage_->whitenFit(simulatedResidual(task_, less, true)).squaredNorm() / 2;
   std::vector<WholeChosen> all = accepted_.back().others;
   all.insert(all.begin(), fit_.model.back());
   std::vector<Candidate> ranking(all.size());
   inParallel(all.size(), task_.jobs, [&](std::size_t i) {
     WholeModel model = less;
     model.push_back(all[i]);
-    ranking[i] = {all[i].cause, 0, fitModel(model)};
+    ranking[i] = {all[i].cause, 0, fitModel(task_, *stage_, model)};
     ranking[i].gain = before - ranking[i].fit.cost;
   });
   std::stable_sort(ranking.begin(), ranking.end(),
@@ -287,32 +227,12 @@ void WholeSearch::compareAgain() {
   }
 }
 
-Eigen::MatrixXd WholeSearch::jacobianOf(const WholeModel& model) const {
-  const FitSpace space = spaceOf(*task_.causes, model);
-  const std::vector<double> x = flat(model);
-  std::vector<Eigen::VectorXd> residual(x.size() + 1);
-  std::vector<double> step(x.size(), 0);
-  inParallel(x.size() + 1, task_.jobs, [&](std::size_t i) {
-    std::vector<double> beside = x;
-    if (i < x.size()) {
-      step[i] = differenceStep(space, i, x[i]);
-      beside[i] += step[i];
-    }
-    residual[i] = simulatedResidual(withNumbers(model, beside), false);
-  });
-  Eigen::MatrixXd jacobian(task_.data->size(), static_cast<Eigen::Index>(x.size()));
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    jacobian.col(static_cast<Eigen::Index>(i)) = (residual.back() - residual[i]) / step[i];
-  }
-  return jacobian;
-}
-
 // Of the select blocks; not a number if there is none or the cause does nothing there.
 double WholeSearch::heldOut(const WholeModel& less, const WholeModel& model) const {
   const Eigen::Index held = task_.data->size() - task_.data->fitSize();
   if (held == 0) return std::numeric_limits<double>::quiet_NaN();
   const auto tailOf = [&](const WholeModel& of) {
-    return stage_->whitenAll(simulatedResidual(of, false)).tail(held).eval();
+    return stage_->whitenAll(simulatedResidual(task_, of, false)).tail(held).eval();
   };
   const Eigen::VectorXd before = tailOf(less), after = tailOf(model);
   if ((before - after).norm() < 2) return std::numeric_limits<double>::quiet_NaN();
@@ -350,13 +270,13 @@ void WholeSearch::review() {
     WholeModel without = fit_.model;
     without.erase(without.begin() + static_cast<std::ptrdiff_t>(place));
     tell("reviewing " + placed(fit_.model[place].cause).cause.id);
-    Fit less = fitModel(without);
+    WholeFit less = fitModel(task_, *stage_, without);
     const double gain = less.cost - fit_.cost;
     if (gain < critical_) {
       rejected_.push_back({labelOf(fit_.model[place].cause, ""), gain, "no longer needed"});
       dropped_.insert(fit_.model[place].cause);
       accepted_.erase(accepted_.begin() + static_cast<std::ptrdiff_t>(place));
-      less.jacobian = jacobianOf(less.model);
+      less.jacobian = jacobianOf(task_, less.model);
       enter(less);
       place = 0;
       continue;
@@ -373,12 +293,12 @@ bool WholeSearch::swapOne(std::size_t place) {
     if (dropped_.count(other.cause) > 0) continue;
     WholeModel swapped = fit_.model;
     swapped[place] = other;
-    Fit fit = fitModel(swapped);
+    WholeFit fit = fitModel(task_, *stage_, swapped);
     if (fit.cost > fit_.cost - 3 * spread_of_gain_) continue;
     rejected_.push_back({labelOf(fit_.model[place].cause, ""), fit.cost - fit_.cost,
                          "replaced by " + labelOf(other.cause, "")});
     accepted_[place].rivals.clear();
-    fit.jacobian = jacobianOf(fit.model);
+    fit.jacobian = jacobianOf(task_, fit.model);
     enter(fit);
     return true;
   }

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "validation/diagnosis/verdict.h"
+#include "validation/diagnosis/whole_fit.h"
 #include "validation/diagnosis/whole_spread.h"
-#include "validation/diagnosis/whole_stage.h"
 
 namespace nao::validation {
 
@@ -47,19 +47,13 @@ class WholeSearch {
   WholeVerdict run();
 
  private:
-  struct Fit {
-    WholeModel model;
-    Eigen::VectorXd residual;  // whitened, blocks to fit
-    Eigen::MatrixXd jacobian;  // raw, stacked means by number; 0 beyond blocks to fit
-    double cost = 0;           // half its squares
-  };
   struct Candidate {
     std::size_t cause = 0;
     double gain = 0;
-    Fit fit;
+    WholeFit fit;
   };
 
-  void enter(const Fit& fit);
+  void enter(const WholeFit& fit);
   void learnNoise();
   bool step();
   std::vector<Candidate> rank();
@@ -74,14 +68,10 @@ class WholeSearch {
   void describe(WholeVerdict& verdict) const;
   bool isOfOneMotion() const;
   PlacedFinding finding(std::size_t place, const Eigen::MatrixXd& draws) const;
-  Eigen::MatrixXd drawNumbers() const;
   std::string signature() const;
 
-  Eigen::VectorXd simulatedResidual(const WholeModel& model, bool fit_only) const;
-  Fit fitModel(const WholeModel& start) const;
-  Eigen::MatrixXd jacobianOf(const WholeModel& model) const;
   std::vector<WholeChosen> beginningsOf(const WholeLook& look, double scale) const;
-  Fit fitFrom(const WholeLook& look, double scale) const;
+  WholeFit fitFrom(const WholeLook& look, double scale) const;
   std::vector<Rival> rivalsOf(const std::vector<Candidate>& ranking, const Candidate& best) const;
   const PlacedCause& placed(std::size_t cause) const { return (*task_.causes)[cause]; }
   std::string labelOf(std::size_t cause, const std::string& beside) const;
@@ -93,7 +83,7 @@ class WholeSearch {
   double false_alarms_;
   WholeSpread nominal_, spread_;  // without and with the model
   std::unique_ptr<WholeStage> stage_;
-  Fit fit_;  // of the model
+  WholeFit fit_;  // of the model
   double critical_ = 0, spread_of_gain_ = 1;
   double misfit_before_ = 0;
   double gained_ = 0;  // [nats] by the causes accepted so far

@@ -245,6 +245,15 @@ WholeSimulator::WholeSimulator(const LogSet& set, std::shared_ptr<const RobotMod
   }
 }
 
+std::vector<Joint> WholeSimulator::judged() const {
+  std::vector<Joint> some;
+  for (const Joint joint : joints_) {
+    const bool shared = model_->actuators[index(joint)].coordinates.size() > 1;
+    if (model_->fixed_base || !shared) some.push_back(joint);
+  }
+  return some;
+}
+
 const sim::EffectCatalogue& WholeSimulator::catalogue() const {
   return options_.catalogue ? *options_.catalogue : sim::standardEffects();
 }

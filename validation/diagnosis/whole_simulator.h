@@ -40,6 +40,9 @@ class WholeSimulator {
   /// In the order of WholeOptions::splits.
   const std::vector<WholeBlock>& blocks() const { return blocks_; }
   const std::vector<Joint>& joints() const { return joints_; }  // that were measured
+  /// Those of them whose angles count. Feet on the ground hold the two hinges of a shared motor
+  /// against each other within their play, in a way that no sensor tells and a replay can not know.
+  std::vector<Joint> judged() const;
   const sim::EffectCatalogue& catalogue() const;
 
   /// measured()[run] on the model with these causes. A cause is a deviation from the model

@@ -1,0 +1,111 @@
+#include "validation/diagnosis/whole_fit.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "validation/diagnosis/team.h"
+
+namespace nao::validation {
+namespace {
+
+constexpr std::size_t kAllRuns = 1000000;
+// Of a fit: one number moves nearly straight to its place, several along valleys.
+constexpr int kIterations = 3, kIterationsOfSeveral = 10;
+
+// All numbers of a model in one row, and back.
+std::vector<double> flat(const WholeModel& model) {
+  std::vector<double> x;
+  for (const WholeChosen& one : model) x.insert(x.end(), one.x.begin(), one.x.end());
+  return x;
+}
+WholeModel withNumbers(WholeModel model, const std::vector<double>& x) {
+  std::size_t at = 0;
+  for (WholeChosen& one : model) {
+    for (double& number : one.x) number = x[at++];
+  }
+  return model;
+}
+
+double stepOf(const FreeNumber& number, double x) {
+  return std::max({number.smallest / 2, 0.05 * std::abs(x), 1e-6});
+}
+
+FitSpace spaceOf(const std::vector<PlacedCause>& causes, const WholeModel& model) {
+  FitSpace space;
+  const bool several = flat(model).size() > 1;
+  space.iterations = several ? kIterationsOfSeveral : kIterations;
+  for (const WholeChosen& one : model) {
+    for (std::size_t i = 0; i < one.x.size(); ++i) {
+      const FreeNumber& number = causes[one.cause].cause.free[i];
+      space.start.push_back(std::clamp(one.x[i], number.lower, number.upper));
+      space.lower.push_back(number.lower);
+      space.upper.push_back(number.upper);
+      space.step.push_back(stepOf(number, one.x[i]));
+    }
+  }
+  return space;
+}
+
+}  // namespace
+
+Eigen::VectorXd simulatedResidual(const WholeTask& task, const WholeModel& model, bool fit_only,
+                                  int jobs) {
+  const WholeData& data = *task.data;
+  std::size_t most = 1;
+  for (const WholeBlock& block : data.simulator().blocks()) {
+    most = std::max(most, block.runs.size());
+  }
+  const auto means = meansOf(
+      data.simulate(settingsOf(*task.causes, model), perRun(task.effort.fit_runs, most), kAllRuns,
+                    fit_only, static_cast<std::uint64_t>(WholeStream::Base), task.noise, jobs));
+  std::vector<Eigen::VectorXd> difference(data.runs());
+  for (std::size_t run = 0; run < data.runs(); ++run) {
+    if (means[run].size() > 0) difference[run] = data.measured(run) - means[run];
+  }
+  return data.stackMeans(difference);
+}
+
+WholeFit fitModel(const WholeTask& task, const WholeStage& stage, const WholeModel& start,
+                  int jobs) {
+  const auto residual = [&](const std::vector<double>& x) {
+    return stage.whitenFit(simulatedResidual(task, withNumbers(start, x), true, jobs));
+  };
+  const FitPoint point = leastSquares(residual, spaceOf(*task.causes, start));
+  return {withNumbers(start, point.x), point.residual, {}, point.cost};
+}
+
+Eigen::MatrixXd jacobianOf(const WholeTask& task, const WholeModel& model) {
+  const FitSpace space = spaceOf(*task.causes, model);
+  const std::vector<double> x = flat(model);
+  std::vector<Eigen::VectorXd> residual(x.size() + 1);
+  std::vector<double> step(x.size(), 0);
+  inParallel(x.size() + 1, task.jobs, [&](std::size_t i) {
+    std::vector<double> beside = x;
+    if (i < x.size()) {
+      step[i] = differenceStep(space, i, x[i]);
+      beside[i] += step[i];
+    }
+    residual[i] = simulatedResidual(task, withNumbers(model, beside), false);
+  });
+  Eigen::MatrixXd jacobian(task.data->size(), static_cast<Eigen::Index>(x.size()));
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    jacobian.col(static_cast<Eigen::Index>(i)) = (residual.back() - residual[i]) / step[i];
+  }
+  return jacobian;
+}
+
+Eigen::MatrixXd drawNumbers(const WholeStage& stage, const Eigen::MatrixXd& jacobian) {
+  const std::vector<Eigen::VectorXd>& nulls = stage.nulls();
+  Eigen::MatrixXd draws(jacobian.cols(), static_cast<Eigen::Index>(nulls.size()));
+  if (draws.size() == 0) return draws;
+  Eigen::MatrixXd white(stage.whitenFit(nulls.front()).size(), jacobian.cols());
+  for (Eigen::Index i = 0; i < white.cols(); ++i) white.col(i) = stage.whitenFit(jacobian.col(i));
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solve(white);
+  for (Eigen::Index set = 0; set < draws.cols(); ++set) {
+    draws.col(set) = solve.solve(stage.whitenFit(nulls[static_cast<std::size_t>(set)]));
+  }
+  return draws;
+}
+
+}  // namespace nao::validation

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "validation/diagnosis/least_squares.h"
+#include "validation/diagnosis/whole_stage.h"
+
+namespace nao::validation {
+
+/// A model whose numbers were fitted to the blocks to fit.
+struct WholeFit {
+  WholeModel model;
+  Eigen::VectorXd residual;  // whitened, blocks to fit
+  Eigen::MatrixXd jacobian;  // raw, stacked means by number; 0 beyond blocks to fit
+  double cost = 0;           // half its squares
+};
+
+/// Measured less simulated means, stacked; 0 beyond blocks to fit if `fit_only`. `jobs`: threads.
+Eigen::VectorXd simulatedResidual(const WholeTask& task, const WholeModel& model, bool fit_only,
+                                  int jobs = 1);
+
+/// From these numbers to where the residual that `stage` whitens is least; without its jacobian.
+WholeFit fitModel(const WholeTask& task, const WholeStage& stage, const WholeModel& start,
+                  int jobs = 1);
+
+/// Of the stacked means by every number of the model, a thread of the task each.
+Eigen::MatrixXd jacobianOf(const WholeTask& task, const WholeModel& model);
+
+/// What the numbers of a fitted model would be in each null set of its own stage, less what they
+/// are, by one Gauss-Newton step: a column per set.
+Eigen::MatrixXd drawNumbers(const WholeStage& stage, const Eigen::MatrixXd& jacobian);
+
+}  // namespace nao::validation
