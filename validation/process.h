@@ -8,7 +8,7 @@ namespace nao::validation {
 /// machine is. For measuring costs alone; nothing simulated may depend on it.
 double threadCpuSeconds();
 
-/// Memory [bytes] of this process that is in RAM now.
+/// Memory [bytes] of this process that is in RAM now, but what it has freed.
 std::size_t residentMemory();
 
 }  // namespace nao::validation
