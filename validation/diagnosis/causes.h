@@ -40,6 +40,8 @@ struct Cause {
   std::vector<Joint> joints{};  // it acts on; filled in by boundedAt(); empty: all
   /// The response is nearly proportional to the size, so that one look serves both signs.
   bool linear = true;
+  /// But a gross size answers otherwise: each of the starts is looked at.
+  bool gross = false;
   /// Sizes to look at one by one, where the response to one says little of the next: what every
   /// run's own late start takes off a delay leaves its bends alone. Empty: `starts` are enough.
   std::vector<double> scan{};

@@ -18,6 +18,10 @@ constexpr std::size_t kStartsEverywhere = 3, kStartsSomewhere = 2;
 const std::vector<double> kSlopes{0.4, -0.4, 1.5, -1.5};          // [rad/rad]
 const std::vector<double> kEdges{0, -0.3, -0.6, -0.9, 0.3, 0.6};  // [rad]
 
+// Of a leg's zero: it moves where every step lands, and so all that follow. A walk answers a gross
+// error otherwise than so many times a small one.
+const std::vector<double> kZeros{0.01, 0.05, -0.05};  // [rad]
+
 using Ids = std::vector<const char*>;
 
 // What one number for all joints can be wrong about.
@@ -84,6 +88,16 @@ class Builder {
     std::vector<double>& starts = numbers[0].starts;
     const std::size_t most = joints.empty() ? kStartsEverywhere : kStartsSomewhere;
     if (starts.size() > most) starts.resize(most);
+  }
+  // Of the joints that the robot walks on.
+  void lookAtZeros(const std::vector<Joint>& joints) {
+    for (PlacedCause& one : all_) {
+      const bool ours = one.joints.size() == 1 &&
+                        std::find(joints.begin(), joints.end(), one.joints[0]) != joints.end();
+      if (one.cause.id != "encoder_offset" || !ours) continue;
+      one.cause.gross = true;
+      one.cause.free[0].starts = kZeros;
+    }
   }
   void add(const Ids& ids, const std::string& place, const std::vector<Joint>& joints) {
     for (const char* id : ids) {
@@ -214,6 +228,7 @@ std::vector<PlacedCause> robotCauses(const RobotModel& model, const std::vector<
     const std::vector<Joint> joints = jointsOf(model, limb, measured);
     if (isLeg(limb)) builder.add(kSide, limb, joints);
     builder.addJoints(isLeg(limb) ? kLegJoint : kArmJoint, joints);
+    if (isLeg(limb)) builder.lookAtZeros(joints);
     if (isLeg(limb)) builder.addJoints(kHull, hulled(model, joints));
     builder.endLimb();
   }

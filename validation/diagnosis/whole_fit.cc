@@ -47,6 +47,17 @@ FitSpace spaceOf(const std::vector<PlacedCause>& causes, const WholeModel& model
   return space;
 }
 
+constexpr auto kStream = static_cast<std::uint64_t>(WholeStream::Base);
+
+Eigen::VectorXd residualOf(const WholeData& data, const WholePool& pool) {
+  const auto means = meansOf(pool);
+  std::vector<Eigen::VectorXd> difference(data.runs());
+  for (std::size_t run = 0; run < data.runs(); ++run) {
+    if (means[run].size() > 0) difference[run] = data.measured(run) - means[run];
+  }
+  return data.stackMeans(difference);
+}
+
 }  // namespace
 
 Eigen::VectorXd simulatedResidual(const WholeTask& task, const WholeModel& model, bool fit_only,
@@ -56,14 +67,15 @@ Eigen::VectorXd simulatedResidual(const WholeTask& task, const WholeModel& model
   for (const WholeBlock& block : data.simulator().blocks()) {
     most = std::max(most, block.runs.size());
   }
-  const auto means = meansOf(
-      data.simulate(settingsOf(*task.causes, model), perRun(task.effort.fit_runs, most), kAllRuns,
-                    fit_only, static_cast<std::uint64_t>(WholeStream::Base), task.noise, jobs));
-  std::vector<Eigen::VectorXd> difference(data.runs());
-  for (std::size_t run = 0; run < data.runs(); ++run) {
-    if (means[run].size() > 0) difference[run] = data.measured(run) - means[run];
-  }
-  return data.stackMeans(difference);
+  return residualOf(
+      data, data.simulate(settingsOf(*task.causes, model), perRun(task.effort.fit_runs, most),
+                          kAllRuns, fit_only, kStream, task.noise, jobs));
+}
+
+Eigen::VectorXd roughResidual(const WholeTask& task, const WholeModel& model) {
+  const auto runs = static_cast<std::size_t>(task.effort.look_runs);
+  return residualOf(*task.data, task.data->simulate(settingsOf(*task.causes, model), 1, runs, true,
+                                                    kStream, task.noise, 1));
 }
 
 WholeFit fitModel(const WholeTask& task, const WholeStage& stage, const WholeModel& start,

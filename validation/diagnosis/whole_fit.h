@@ -19,6 +19,9 @@ struct WholeFit {
 Eigen::VectorXd simulatedResidual(const WholeTask& task, const WholeModel& model, bool fit_only,
                                   int jobs = 1);
 
+/// The same of the blocks to fit by as many runs as a look at a cause replays: rough.
+Eigen::VectorXd roughResidual(const WholeTask& task, const WholeModel& model);
+
 /// From these numbers to where the residual that `stage` whitens is least; without its jacobian.
 WholeFit fitModel(const WholeTask& task, const WholeStage& stage, const WholeModel& start,
                   int jobs = 1);

@@ -101,7 +101,7 @@ WholeFit WholeSearch::fitFrom(const WholeLook& look, double scale) const {
   for (const WholeChosen& beginning : beginningsOf(look, scale)) {
     WholeModel model = fit_.model;
     model.push_back(beginning);
-    const double cost = stage_->whitenFit(simulatedResidual(task_, model, true)).squaredNorm();
+    const double cost = stage_->whitenFit(roughResidual(task_, model)).squaredNorm();
     if (cost >= least) continue;
     least = cost;
     best = std::move(model);

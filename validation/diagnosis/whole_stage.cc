@@ -54,7 +54,7 @@ bool needsStart(const Cause& cause, const std::vector<double>& start) {
   const bool first = start[0] == cause.free[0].starts[0];
   const double size = start[0];
   if (size < cause.free[0].lower || size > cause.free[0].upper) return false;
-  return first || !cause.linear || cause.free.size() > 1;
+  return first || !cause.linear || cause.gross || cause.free.size() > 1;
 }
 
 }  // namespace
@@ -162,8 +162,10 @@ std::vector<Eigen::VectorXd> WholeStage::firstRuns() const {
 void WholeStage::gatherUndeclared() {
   std::vector<Eigen::VectorXd> spreads;
   for (const WholeLook& one : looks_) {
-    const double spread = (*task_.causes)[one.cause].cause.spread;
-    if (spread > 0 && one.x[0] != 0) spreads.push_back(one.raw * (spread / one.x[0]));
+    const Cause& cause = (*task_.causes)[one.cause].cause;
+    // Small differences, so of several looks the first.
+    if (cause.spread == 0 || one.x[0] != cause.free[0].starts[0]) continue;
+    spreads.push_back(one.raw * (cause.spread / one.x[0]));
   }
   undeclared_.resize(task_.data->size(), static_cast<Eigen::Index>(spreads.size()));
   for (std::size_t i = 0; i < spreads.size(); ++i) {
