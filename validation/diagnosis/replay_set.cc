@@ -63,15 +63,17 @@ void addMisfits(const std::vector<JointReplay>& replays, Report& report) {
 }
 
 void addGait(const WholeReplay& replay, Report& report) {
-  TextTable table{"Mean of the gait", {"motion", "", "unit", "measured", "simulated", "floor"}, {}};
+  TextTable table{
+      "Mean of the gait", {"motion", "for", "", "unit", "measured", "simulated", "floor"}, {}};
   std::vector<Row> rows;
   for (const GaitReplay& one : replay.gait) {
     rows.push_back({{"motion", one.motion},
+                    {"split", one.split},
                     {"name", one.name},
                     {"measured", one.measured},
                     {"simulated", one.measured + one.error},
                     {"floor", one.floor}});
-    table.lines.push_back({one.motion, one.name, one.unit, fixed(one.measured, 4),
+    table.lines.push_back({one.motion, one.split, one.name, one.unit, fixed(one.measured, 4),
                            fixed(one.measured + one.error, 4), fixed(one.floor, 4)});
   }
   report.figures.push_back({"gait", std::move(rows)});

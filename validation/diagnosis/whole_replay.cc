@@ -106,7 +106,7 @@ class Comparison {
     for (const GaitNumber& number : calcGait(simulator_.measured()[block.runs.front()])) {
       const Statistics of = calcStatistics(measured[number.name]);
       const double floor = of.sd / std::sqrt(static_cast<double>(of.n));
-      rows.push_back({block.motion, number.name, number.unit, of.mean,
+      rows.push_back({block.motion, nameOf(block.split), number.name, number.unit, of.mean,
                       calcStatistics(error[number.name]).mean, std::max(floor, number.floor)});
     }
   }

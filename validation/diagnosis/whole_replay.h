@@ -8,9 +8,9 @@
 
 namespace nao::validation {
 
-/// A number of gait_numbers.h in one motion: measured beside simulated.
+/// A number of gait_numbers.h in the runs of a motion for one purpose: measured beside simulated.
 struct GaitReplay {
-  std::string motion, name, unit;
+  std::string motion, split, name, unit;
   double measured = 0;  // mean of the runs
   double error = 0;     // of the simulated mean
   double floor = 0;     // SD of the measured mean, or what is no difference if that is more
