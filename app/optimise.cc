@@ -8,6 +8,7 @@
 #include "app/source_paths.h"
 #include "validation/diagnosis/extension.h"
 #include "validation/diagnosis/whole_optimise.h"
+#include "validation/diagnosis/whole_simulator.h"
 #include "validation/log/log_robots.h"
 
 namespace nao::app {
@@ -24,7 +25,7 @@ void run(const Options& options) {
   const validation::LogSet set =
       validation::runsOfOne(validation::readLogSet(options.set), options.robot_id);
   const auto model = loadRobotModel(robots, options.model.empty() ? set.robot : options.model);
-  const bool whole = !set.environment.suspended && !model->fixed_base;
+  const bool whole = validation::isOnItsFeet(set, *model);
   const auto free = validation::parseFree(options.free, *model, whole);
   if (!options.name.empty()) validation::requireNewRobot(robots, options.name);
   const auto found =

@@ -12,6 +12,7 @@
 #include "core/config.h"
 #include "sim/effects/catalogue.h"
 #include "validation/diagnosis/merge_effects.h"
+#include "validation/diagnosis/whole_causes.h"
 
 namespace nao::validation {
 namespace {
@@ -118,19 +119,17 @@ struct Place {
 };
 
 // The joints of a place; none: all that the robot has.
-std::vector<Joint> jointsOf(const std::string& place, const std::string& file,
+std::vector<Joint> jointsAt(const std::string& place, const std::string& file,
                             const RobotModel& model) {
   if (place == "robot") return {};
   if (const auto joint = model.findJoint(place)) return {*joint};
-  const auto limb = model.groups.find(place);
-  if (limb == model.groups.end()) {
+  std::vector<Joint> all;
+  for (const Actuator& actuator : model.actuators) all.push_back(*model.findJoint(actuator.name));
+  const std::vector<Joint> limb = jointsOf(model, place, all);
+  if (limb.empty()) {
     throw InputError(file + ": robot '" + model.name + "' has no joint or limb '" + place + "'");
   }
-  std::vector<Joint> joints;
-  for (const std::string& name : limb->second) {
-    if (const auto joint = model.findJoint(name)) joints.push_back(*joint);
-  }
-  return joints;
+  return limb;
 }
 
 // Every extension is of one robot.
@@ -175,7 +174,7 @@ std::vector<EffectSetting> acceptedEffects(const std::string& report_file, const
     for (const Json& entry : report.at("joints")) {
       const Place place(entry.at("joint"));
       if (place.robot_id != accepted.robot_id) continue;
-      const std::vector<Joint> joints = jointsOf(place.name, report_file, model);
+      const std::vector<Joint> joints = jointsAt(place.name, report_file, model);
       for (const Json& finding : entry.at("findings")) acceptance.takeFrom(finding, joints);
     }
   });
@@ -189,7 +188,7 @@ std::vector<EffectSetting> reportedAdjustments(const std::string& report_file,
     for (const Json& entry : report.at("joints")) {
       for (const Json& one : entry.value("adjustments", Json::array())) {
         settings.push_back(
-            settingOf(one, jointsOf(entry.at("joint"), report_file, model), report_file));
+            settingOf(one, jointsAt(entry.at("joint"), report_file, model), report_file));
       }
     }
   });

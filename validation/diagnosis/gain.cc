@@ -31,7 +31,7 @@ std::vector<JointReplay> replayHung(const LogSet& set, std::shared_ptr<const Rob
 WholeReplay replayTest(const LogSet& set, std::shared_ptr<const RobotModel> model,
                        const GainOptions& options) {
   WholeReplay replay;
-  if (set.environment.suspended || model->fixed_base) {
+  if (!isOnItsFeet(set, *model)) {
     replay.joints = replayHung(set, std::move(model), options);
     return replay;
   }

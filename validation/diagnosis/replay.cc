@@ -9,10 +9,7 @@
 namespace nao::validation {
 namespace {
 
-struct Sums {
-  double error = 0, absolute = 0, explained = 0, floor = 0, real = 0, simulated = 0, noise_free = 0;
-  double samples = 0;
-
+struct Sums : ReplaySums {
   void addError(const RunSpread& measured, const RunSpread& ensemble, double repeats, int runs) {
     // A single run has no spread of its own: that of the model stands in.
     const Eigen::VectorXd& spread = repeats > 1 ? measured.variance : ensemble.variance;
@@ -35,6 +32,22 @@ RunSpread spreadAbout(const std::vector<Eigen::MatrixXd>& runs, const Eigen::Vec
 }
 
 }  // namespace
+
+JointReplay ReplaySums::finish(const std::string& joint) const {
+  JointReplay replay;
+  replay.joint = joint;
+  if (samples == 0) return replay;
+  const auto rms = [&](double sum) { return std::sqrt(sum / samples); };
+  replay.rmse = rms(error);
+  replay.mae = absolute / samples;
+  replay.floor = rms(floor);
+  replay.misfit = explained > 0 ? std::sqrt(error / explained) : 0;
+  replay.share = error > 0 ? std::max(0.0, 1 - explained / error) : 0;
+  replay.real_sd = rms(real);
+  replay.simulated_sd = rms(simulated);
+  replay.noise_free_rmse = rms(noise_free);
+  return replay;
+}
 
 RunSpread spreadOf(const std::vector<Eigen::MatrixXd>& runs, Eigen::Index signal) {
   NAO_CHECK(!runs.empty());
@@ -69,19 +82,7 @@ JointReplay replayJoint(const JointSimulator& joint, const std::vector<EffectSet
     const Eigen::VectorXd alone = joint.run(causes, m, 0, none).col(0);
     sums.noise_free += (about(motion.repeats, alone).mean - alone).squaredNorm();
   }
-  JointReplay replay;
-  replay.joint = joint.joint();
-  if (sums.samples == 0) return replay;
-  const auto rms = [&](double sum) { return std::sqrt(sum / sums.samples); };
-  replay.rmse = rms(sums.error);
-  replay.mae = sums.absolute / sums.samples;
-  replay.floor = rms(sums.floor);
-  replay.misfit = sums.explained > 0 ? std::sqrt(sums.error / sums.explained) : 0;
-  replay.share = sums.error > 0 ? std::max(0.0, 1 - sums.explained / sums.error) : 0;
-  replay.real_sd = rms(sums.real);
-  replay.simulated_sd = rms(sums.simulated);
-  replay.noise_free_rmse = rms(sums.noise_free);
-  return replay;
+  return sums.finish(joint.joint());
 }
 
 }  // namespace nao::validation

@@ -26,6 +26,14 @@ struct JointReplay {
 JointReplay replayJoint(const JointSimulator& joint, const std::vector<EffectSetting>& causes,
                         const JointNoise& noise, int runs, const std::vector<Split>& splits);
 
+/// What a JointReplay is made of: sums over the samples of all motions, squares but for `absolute`.
+struct ReplaySums {
+  double error = 0, absolute = 0, explained = 0, floor = 0, real = 0, simulated = 0, noise_free = 0;
+  double samples = 0;
+
+  JointReplay finish(const std::string& joint) const;
+};
+
 /// Mean and squared deviations of some runs of one signal.
 struct RunSpread {
   Eigen::VectorXd mean;

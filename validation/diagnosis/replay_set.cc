@@ -9,20 +9,25 @@
 namespace nao::validation {
 namespace {
 
-Row rowOf(const PreparedJoint& joint, const JointReplay& replay) {
+Row rowOf(const JointReplay& replay, double real_sd, double nominal_sd) {
   return {{"joint", replay.joint},
           {"rmse_rad", replay.rmse},
           {"floor_rad", replay.floor},
           {"misfit", replay.misfit},
           {"unexplained_share", replay.share},
           {"noise_free_rmse_rad", replay.noise_free_rmse},
-          {"real_sd_rad", joint.moments.measured.sd},
-          {"nominal_sd_rad", joint.moments.simulated.sd},
-          {"fitted_sd_rad", replay.simulated_sd},
-          {"fitted_torque_sd_nm", joint.noise.torque_sd},
-          {"fitted_torque_time_s", joint.noise.torque_time},
-          {"fitted_start_sd_s", joint.noise.start_sd},
-          {"fitted_jitter_rad", joint.noise.jitter}};
+          {"real_sd_rad", real_sd},
+          {"nominal_sd_rad", nominal_sd}};
+}
+
+Row rowOf(const PreparedJoint& joint, const JointReplay& replay) {
+  Row row = rowOf(replay, joint.moments.measured.sd, joint.moments.simulated.sd);
+  row.insert(row.end(), {{"fitted_sd_rad", replay.simulated_sd},
+                         {"fitted_torque_sd_nm", joint.noise.torque_sd},
+                         {"fitted_torque_time_s", joint.noise.torque_time},
+                         {"fitted_start_sd_s", joint.noise.start_sd},
+                         {"fitted_jitter_rad", joint.noise.jitter}});
+  return row;
 }
 
 std::vector<std::string> lineOf(const PreparedJoint& joint, const JointReplay& replay) {
@@ -36,17 +41,6 @@ std::vector<std::string> lineOf(const PreparedJoint& joint, const JointReplay& r
           fixed(1e3 * replay.simulated_sd, 2),
           fixed(joint.noise.torque_sd, 3),
           fixed(1e3 * joint.noise.start_sd, 2)};
-}
-
-Row rowOf(const JointReplay& replay) {
-  return {{"joint", replay.joint},
-          {"rmse_rad", replay.rmse},
-          {"floor_rad", replay.floor},
-          {"misfit", replay.misfit},
-          {"unexplained_share", replay.share},
-          {"noise_free_rmse_rad", replay.noise_free_rmse},
-          {"real_sd_rad", replay.real_sd},
-          {"nominal_sd_rad", replay.simulated_sd}};
 }
 
 void addMisfits(const std::vector<JointReplay>& replays, Report& report) {
@@ -98,7 +92,7 @@ Report replayWholeSet(const LogSet& set, std::shared_ptr<const RobotModel> model
       {}};
   std::vector<Row> rows;
   for (const JointReplay& one : replay.joints) {
-    rows.push_back(rowOf(one));
+    rows.push_back(rowOf(one, one.real_sd, one.simulated_sd));
     table.lines.push_back({one.joint, fixed(1e3 * one.rmse, 2), fixed(1e3 * one.floor, 2),
                            fixed(one.misfit, 2), fixed(100 * one.share, 0),
                            fixed(1e3 * one.real_sd, 2), fixed(1e3 * one.simulated_sd, 2)});
@@ -118,7 +112,7 @@ Report replayWholeSet(const LogSet& set, std::shared_ptr<const RobotModel> model
 
 Report replaySet(const LogSet& set, std::shared_ptr<const RobotModel> model,
                  const ReplayOptions& options) {
-  if (!set.environment.suspended && !model->fixed_base) {
+  if (isOnItsFeet(set, *model)) {
     return replayWholeSet(set, std::move(model), options);
   }
   const std::string robot = model->name;

@@ -11,12 +11,6 @@
 namespace nao::validation {
 namespace {
 
-// Of one joint, over all blocks.
-struct Sums {
-  double error = 0, absolute = 0, explained = 0, floor = 0, real = 0, simulated = 0, noise_free = 0;
-  double samples = 0;
-};
-
 // The replays of one measured run.
 struct RunReplays {
   std::vector<WholeRun> simulated;
@@ -35,22 +29,11 @@ class Comparison {
       : simulator_(simulator), replays_(std::move(replays)) {}
 
   JointReplay compare(Joint joint) const {
-    Sums sums;
+    ReplaySums sums;
     for (const WholeBlock& block : simulator_.blocks()) {
       add(block, static_cast<Eigen::Index>(index(joint)), sums);
     }
-    const auto rms = [&](double sum) { return std::sqrt(sum / sums.samples); };
-    JointReplay replay;
-    replay.joint = simulator_.model().actuators[index(joint)].name;
-    replay.rmse = rms(sums.error);
-    replay.mae = sums.absolute / sums.samples;
-    replay.floor = rms(sums.floor);
-    replay.misfit = sums.explained > 0 ? std::sqrt(sums.error / sums.explained) : 0;
-    replay.share = sums.error > 0 ? std::max(0.0, 1 - sums.explained / sums.error) : 0;
-    replay.real_sd = rms(sums.real);
-    replay.simulated_sd = rms(sums.simulated);
-    replay.noise_free_rmse = rms(sums.noise_free);
-    return replay;
+    return sums.finish(simulator_.model().actuators[index(joint)].name);
   }
 
   std::vector<GaitReplay> compareGait() const {
@@ -62,7 +45,7 @@ class Comparison {
  private:
   // Every measured run less the mean of its own replays: what differs between these is the noise of
   // the measurement.
-  void add(const WholeBlock& block, Eigen::Index joint, Sums& sums) const {
+  void add(const WholeBlock& block, Eigen::Index joint, ReplaySums& sums) const {
     std::vector<Eigen::MatrixXd> off;
     Eigen::VectorXd alone = Eigen::VectorXd::Zero(block.rows);
     double scatter = 0, per_run = 1;

@@ -211,6 +211,10 @@ std::vector<EffectSetting> noiseOf(const RobotModel& model, double scale) {
 
 }  // namespace
 
+bool isOnItsFeet(const LogSet& set, const RobotModel& model) {
+  return !set.environment.suspended && !model.fixed_base;
+}
+
 WholeSimulator::WholeSimulator(const LogSet& set, std::shared_ptr<const RobotModel> model,
                                const WholeOptions& options)
     : model_(std::move(model)), options_(options) {

@@ -10,6 +10,9 @@
 
 namespace nao::validation {
 
+/// Whether the runs of a set are for a WholeSimulator: neither hung up nor built in.
+bool isOnItsFeet(const LogSet& set, const RobotModel& model);
+
 /// The runs of a motion that serve one purpose.
 struct WholeBlock {
   std::string motion;

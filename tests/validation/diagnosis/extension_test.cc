@@ -7,6 +7,7 @@
 
 #include "core/config.h"
 #include "tests/core/temporary_folder.h"
+#include "tests/support/models.h"
 
 namespace nao::validation {
 namespace {
@@ -97,6 +98,12 @@ TEST_F(ExtensionTest, TakesWhatTheWholeRobotAndALegHave) {
   EXPECT_TRUE(effects[0].joints.empty());
   EXPECT_EQ(effects[1].joints.size(), 6u);
   EXPECT_THAT(effects[2].joints, ElementsAre(*model_->findJoint("LHipPitch")));
+}
+
+TEST_F(ExtensionTest, ARobotWithoutLimbsIsABody) {
+  isReported(told("Body", "kp_error", "part"));
+  const auto pendulum = test::robot("xl330_pendulum");
+  EXPECT_EQ(acceptedEffects(report_, {}, *pendulum).front().joints.size(), pendulum->jointCount());
 }
 
 TEST_F(ExtensionTest, OfSeveralRobotsOneIsExtended) {
