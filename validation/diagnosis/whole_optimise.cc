@@ -85,11 +85,10 @@ class Numbers {
                            const Eigen::VectorXd& moves) const {
     const FreeNumber& number = placed.cause.free[i];
     const std::string joint = placed.joints.empty() ? "" : placed.place;
-    double present = 0;
-    if (!placed.joints.empty()) {
-      present = presentDeviation(simulator_.model(), index(placed.joints[0]), placed.cause.effect,
-                                 number.parameter, simulator_.catalogue());
-    }
+    // What the robot has of it already, at the first joint that it concerns.
+    const Joint first = placed.joints.empty() ? simulator_.joints()[0] : placed.joints[0];
+    const double present = presentDeviation(simulator_.model(), index(first), placed.cause.effect,
+                                            number.parameter, simulator_.catalogue());
     const double margin = 1e-6 * (number.upper - number.lower);
     return {{placed.cause.effect, number.parameter, joint},
             {number.parameter, number.unit, number.neutral + present + x, x,
