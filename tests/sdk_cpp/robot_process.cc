@@ -24,9 +24,10 @@ std::vector<std::string> environmentWith(const std::vector<std::string>& setting
   return all;
 }
 
-std::vector<std::string> wordsOf(const std::vector<std::string>& options) {
+std::vector<std::string> wordsOf(const std::vector<std::string>& options,
+                                 const std::string& speed) {
   std::vector<std::string> words = {NAO_PROGRAM, "serve", "--robot", "nao_h25_v50",
-                                    "--port",    "0",     "--speed", "max"};
+                                    "--port",    "0",     "--speed", speed};
   words.insert(words.end(), options.begin(), options.end());
   return words;
 }
@@ -79,7 +80,8 @@ int Process::wait() {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-RobotProcess::RobotProcess(const std::vector<std::string>& options) : process_(wordsOf(options)) {
+RobotProcess::RobotProcess(const std::vector<std::string>& options, const std::string& speed)
+    : process_(wordsOf(options, speed)) {
   const std::string ready = process_.readLineWith("ready: ");
   const std::size_t colon = ready.rfind(':');
   if (ready.empty()) throw std::runtime_error("the daemon did not start");

@@ -30,10 +30,11 @@ class Process {
   int output_ = -1;
 };
 
-/// A daemon with one nao_h25_v50 on a free port, as fast as it goes.
+/// A daemon with one nao_h25_v50 on a free port, as fast as it goes unless `speed` says otherwise.
 class RobotProcess {
  public:
-  explicit RobotProcess(const std::vector<std::string>& options = {});
+  explicit RobotProcess(const std::vector<std::string>& options = {},
+                        const std::string& speed = "max");
 
   int port() const { return port_; }
   /// For the environment of programs that name another address.

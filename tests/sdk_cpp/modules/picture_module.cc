@@ -33,14 +33,15 @@ class PictureModule : public AL::ALModule {
   }
 
   bool sharesPixels() {
-    for (int i = 0; i < kTries; ++i) {  // one of the two may just have a newer one
-      if (look(one_)->getData() == look(two_)->getData()) return true;
+    for (;;) {  // one of the two may just have a newer one
+      const AL::ALImage* one = look(one_);
+      const AL::ALImage* two = look(two_);
+      if (one->getTimeStamp() == two->getTimeStamp()) return one->getData() == two->getData();
     }
-    return false;
   }
 
   bool isAsRemote() {
-    for (int i = 0; i < kTries; ++i) {
+    for (;;) {
       const AL::ALImage* image = look(one_);
       const AL::ALImage remote(video_.getImageRemote(one_));
       if (remote.getTimeStamp() != image->getTimeStamp()) continue;
@@ -48,7 +49,6 @@ class PictureModule : public AL::ALModule {
              image->getLeftAngle() == remote.getLeftAngle() &&
              std::memcmp(image->getData(), remote.getData(), remote.getSize()) == 0;
     }
-    return false;
   }
 
   bool staysUntilReleased() {
@@ -63,8 +63,6 @@ class PictureModule : public AL::ALModule {
   bool nobodysIsNull() { return video_.getImageLocal("nobody") == NULL; }
 
  private:
-  static const int kTries = 100;
-
   AL::ALImage* look(const std::string& window) {
     return static_cast<AL::ALImage*>(video_.getImageLocal(window));
   }
