@@ -31,7 +31,7 @@ namespace {
 constexpr char kKept[] = "/unfinished";  // in --out
 
 struct Arguments {
-  std::string set, model, out, budget, joint;
+  std::string set, model, out, budget, joint, from;
   std::string level = "joint";
   std::string robots_dir = "robots", record = "validation/record/diagnosis.yaml";
   int jobs = 1;
@@ -115,6 +115,7 @@ std::string commandOf(const Arguments& arguments) {
   if (!arguments.model.empty()) command += " --model " + arguments.model;
   if (!arguments.joint.empty()) command += " --joint " + arguments.joint;
   if (arguments.level != "joint") command += " --level " + arguments.level;
+  if (!arguments.from.empty()) command += " --from " + arguments.from;
   if (!arguments.budget.empty()) command += " --budget " + arguments.budget;
   return command;
 }
@@ -196,6 +197,9 @@ void runWhole(const Arguments& arguments, const validation::LogSet& set,
   validation::WholeDiagnosisOptions options;
   options.level = arguments.level == "limb" ? validation::Level::Limb : validation::Level::Robot;
   options.jobs = arguments.jobs;
+  if (!arguments.from.empty()) {
+    options.handed_on = validation::readHandedOn(arguments.from + "/report.json", arguments.level);
+  }
   if (!arguments.budget.empty()) options.seconds = secondsOf(arguments.budget);
   options.progress = [](const std::string& what) { std::fprintf(stderr, "%s\n", what.c_str()); };
   auto found = validation::diagnoseWhole(set, model, options);
@@ -227,6 +231,9 @@ validation::FoldedSet diagnoseTasks(const std::vector<validation::JointTask>& ta
 void runJoints(const Arguments& arguments, const validation::LogSet& set,
                const std::shared_ptr<const RobotModel>& model, const std::string& name,
                const std::shared_ptr<const validation::Team>& team, StandBy& stand_by) {
+  if (!arguments.from.empty()) {
+    throw InputError("--from " + arguments.from + ": expected --level limb or robot");
+  }
   const validation::VerdictRecords records = recordsOf(arguments);  // its mistakes cost no search
   const validation::Provenance provenance = provenanceOf(arguments, set, name);
   validation::DiagnosisOptions options;
@@ -312,6 +319,9 @@ void addDiagnose(CLI::App& app) {
           "robot that stands, kicks or walks.")
       ->check(CLI::IsMember({"joint", "limb", "robot"}))
       ->capture_default_str();
+  command->add_option("--from", arguments->from,
+                      "Folder of a lower level's report: what it found competes again, begun from "
+                      "its\nnumbers.");
   command
       ->add_option("--jobs", arguments->jobs,
                    "Threads; the result is the same for any number, and for any number of "

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "core/config.h"
 #include "validation/diagnosis/motion_fit.h"
+#include "validation/diagnosis/report_file.h"
 
 namespace nao::validation {
 namespace {
@@ -81,18 +81,13 @@ void complete(Cause& cause, const JointSimulator& joint) {
 }  // namespace
 
 std::vector<UnknownJoint> unknownJoints(const std::string& report_file) {
-  std::ifstream in(report_file);
-  if (!in) throw InputError(report_file + ": can not be read, expected a diagnosis' report.json");
   std::vector<UnknownJoint> found;
-  try {
-    const nlohmann::json report = nlohmann::json::parse(in);
+  readReport(report_file, [&](const nlohmann::json& report) {
     for (const nlohmann::json& joint : report.at("joints")) {
       const auto features = featuresIn(joint.at("signature").get<std::string>());
       if (!features.empty()) found.push_back({joint.at("joint"), features});
     }
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(report_file + ": expected a diagnosis' report.json: " + error.what());
-  }
+  });
   if (found.empty()) throw InputError(report_file + ": no joint has a remainder with a signature");
   return found;
 }

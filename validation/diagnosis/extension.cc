@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <iomanip>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -12,7 +11,7 @@
 #include "core/config.h"
 #include "sim/effects/catalogue.h"
 #include "validation/diagnosis/merge_effects.h"
-#include "validation/diagnosis/whole_causes.h"
+#include "validation/diagnosis/report_file.h"
 
 namespace nao::validation {
 namespace {
@@ -98,44 +97,11 @@ class Acceptance {
   std::vector<EffectSetting> settings_;
 };
 
-void readReport(const std::string& file, const std::function<void(const Json&)>& take) {
-  std::ifstream in(file);
-  if (!in) throw InputError(file + ": can not be read, expected the report.json of a diagnosis");
-  try {
-    take(Json::parse(in));
-  } catch (const Json::exception& error) {
-    throw InputError(file + ": expected the report.json of a diagnosis: " + error.what());
-  }
-}
-
-// "LHipPitch", or "7/LHipPitch" in a report of several robots.
-struct Place {
-  explicit Place(const std::string& text) {
-    const std::size_t slash = text.rfind('/');
-    name = slash == std::string::npos ? text : text.substr(slash + 1);
-    robot_id = slash == std::string::npos ? "" : text.substr(0, slash);
-  }
-  std::string robot_id, name;
-};
-
-// The joints of a place; none: all that the robot has.
-std::vector<Joint> jointsAt(const std::string& place, const std::string& file,
-                            const RobotModel& model) {
-  if (place == "robot") return {};
-  if (const auto joint = model.findJoint(place)) return {*joint};
-  std::vector<Joint> all;
-  for (const Actuator& actuator : model.actuators) all.push_back(*model.findJoint(actuator.name));
-  const std::vector<Joint> limb = jointsOf(model, place, all);
-  if (limb.empty()) {
-    throw InputError(file + ": robot '" + model.name + "' has no joint or limb '" + place + "'");
-  }
-  return limb;
-}
-
 // Every extension is of one robot.
 void requireRobot(const Json& report, const std::string& robot_id, const std::string& file) {
   std::set<std::string> robots;
-  for (const Json& entry : report.at("joints")) robots.insert(Place(entry.at("joint")).robot_id);
+  for (const Json& entry : report.at("joints"))
+    robots.insert(ReportedPlace(entry.at("joint")).robot_id);
   robots.erase("");
   if (robots.count(robot_id) > 0 || (robots.empty() && robot_id.empty())) return;
   const std::string fault =
@@ -172,7 +138,7 @@ std::vector<EffectSetting> acceptedEffects(const std::string& report_file, const
     requireRobot(report, accepted.robot_id, report_file);
     for (const Json& finding : report.at("shared")) acceptance.takeFrom(finding, {});
     for (const Json& entry : report.at("joints")) {
-      const Place place(entry.at("joint"));
+      const ReportedPlace place(entry.at("joint"));
       if (place.robot_id != accepted.robot_id) continue;
       const std::vector<Joint> joints = jointsAt(place.name, report_file, model);
       for (const Json& finding : entry.at("findings")) acceptance.takeFrom(finding, joints);

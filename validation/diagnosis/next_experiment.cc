@@ -10,6 +10,7 @@
 #include "validation/diagnosis/merge_effects.h"
 #include "validation/diagnosis/prepared_set.h"
 #include "validation/diagnosis/replay.h"
+#include "validation/diagnosis/report_file.h"
 #include "validation/diagnosis/team.h"
 #include "validation/suspended.h"
 
@@ -96,17 +97,12 @@ double separationOf(const JointSimulator& joint, std::size_t motion, const Joint
 
 std::vector<AmbiguousJoint> ambiguousJoints(const std::string& report_file,
                                             const RobotModel& model) {
-  std::ifstream in(report_file);
-  if (!in) throw InputError(report_file + ": can not be read, expected a diagnosis' report.json");
   std::vector<AmbiguousJoint> found;
-  try {
-    const Json report = Json::parse(in);
+  readReport(report_file, [&](const Json& report) {
     for (const Json& joint : report.at("joints")) {
       for (const Json& finding : joint.at("findings")) addAmbiguous(joint, finding, model, found);
     }
-  } catch (const Json::exception& error) {
-    throw InputError(report_file + ": expected a diagnosis' report.json: " + error.what());
-  }
+  });
   if (found.empty()) throw InputError(report_file + ": no joint is ambiguous between named causes");
   return found;
 }

@@ -48,6 +48,7 @@ void WholeSearch::describe(WholeVerdict& verdict) const {
   verdict.spread = spread_;
   verdict.not_tried = not_tried_;
   if (!not_tried_.empty()) verdict.verdict = Verdict::Unfinished;
+  for (std::size_t i = 0; i < provisional_.size(); ++i) verdict.handed_on.push_back(fateOf(i));
 }
 
 std::vector<FoundNumber> WholeSearch::numbersOf(const WholeChosen& chosen) const {

@@ -43,15 +43,15 @@ class RobotCase {
     spread_ = fitSpread(data, {}, options_.effort.base_runs, options_.jobs);
     into_.spreads.push_back({robot_, spread_, spread_});
     if (options_.level == Level::Robot) {
-      search(data, robotCauses(simulator_.model(), simulator_.joints()), "robot", false_alarms);
+      search(data, robotCauses(simulator_.model(), simulator_.joints()), "robot", {}, false_alarms);
       listGait();
       return;
     }
     const auto limbs = limbsOf(simulator_.model(), simulator_.joints());
     for (const std::string& limb : limbs) {
-      const WholeData part(simulator_, jointsOf(simulator_.model(), limb, simulator_.judged()),
-                           false);
-      search(part, limbCauses(simulator_.model(), limb, simulator_.joints()), limb,
+      const std::vector<Joint> joints = jointsOf(simulator_.model(), limb, simulator_.judged());
+      const WholeData part(simulator_, joints, false);
+      search(part, limbCauses(simulator_.model(), limb, simulator_.joints()), limb, joints,
              false_alarms / static_cast<double>(limbs.size()));
     }
   }
@@ -62,8 +62,9 @@ class RobotCase {
     return std::find(judged.begin(), judged.end(), joint) != judged.end();
   }
 
+  // `joints`: of a limb; none: of the robot.
   void search(const WholeData& data, std::vector<PlacedCause> causes, const std::string& whole,
-              double false_alarms) {
+              const std::vector<Joint>& joints, double false_alarms) {
     const auto unwanted = [&](const PlacedCause& one) {
       const auto& only = options_.only;
       const std::string placed = one.cause.id + " at " + one.place;
@@ -72,16 +73,23 @@ class RobotCase {
              (one.joints.size() == 1 && !isJudged(one.joints.front()));
     };
     causes.erase(std::remove_if(causes.begin(), causes.end(), unwanted), causes.end());
+    auto provisional = provisionalAmong(causes, options_.handed_on, joints, simulator_.model(),
+                                        simulator_.judged());
     const WholeTask task{&data,         &causes,       options_.effort,
                          spread_.noise, options_.jobs, grantedRuns(data)};
     WholeSearch search(
-        task, spread_, [&](const std::string& what) { tell(whole + ": " + what); }, false_alarms);
+        task, spread_, [&](const std::string& what) { tell(whole + ": " + what); }, false_alarms,
+        std::move(provisional));
     const WholeVerdict found = search.run();
     const std::vector<EffectSetting> effects = settingsOf(causes, found.model);
     found_.insert(found_.end(), effects.begin(), effects.end());
     left_noise_ = found.spread.noise;
     if (options_.level == Level::Robot) into_.spreads.back().found = found.spread;
     addVerdict(found, whole);
+    for (HandedOnFate fate : found.handed_on) {
+      fate.was.place = prefix_ + fate.was.place;
+      into_.handed_on.push_back(std::move(fate));
+    }
     addCourse(data, effects, whole);
     into_.set.runs += data.used();
   }

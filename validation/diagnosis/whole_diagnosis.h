@@ -18,8 +18,9 @@ enum class Level { Limb, Robot };
 struct WholeDiagnosisOptions {
   Level level = Level::Robot;
   WholeEffort effort;
-  std::vector<std::string> only;  // causes to try, "id" or "id at place"; empty: all
-  int jobs = 1;                   // threads; the result is the same for any number
+  std::vector<std::string> only;    // causes to try, "id" or "id at place"; empty: all
+  std::vector<HandedOn> handed_on;  // by a lower level: they compete again
+  int jobs = 1;                     // threads; the result is the same for any number
   double seconds =
       0;  // of wall time to take, about; which runs it pays for is settled at the start; 0: all
   std::function<void(const std::string&)> progress;
@@ -46,6 +47,7 @@ struct WholeDiagnosis {
   };
   std::vector<RobotSpread> spreads;
   std::vector<GaitRow> gait;
+  std::vector<HandedOnFate> handed_on;  // with several robots of each, their places with its name
   struct Course {
     std::string place, joint;
     JointCourse course;

@@ -98,6 +98,18 @@ TextTable gaitOf(const WholeDiagnosis& diagnosis) {
   return table;
 }
 
+TextTable handedOnOf(const WholeDiagnosis& diagnosis) {
+  TextTable table{"Handed on by a lower level",
+                  {"where", "cause", "there", "would show here by [SD]", "", "here"},
+                  {}};
+  for (const HandedOnFate& fate : diagnosis.handed_on) {
+    table.lines.push_back({fate.was.place, fate.was.cause, valueText(fate.before),
+                           fixed(fate.would_show, 1), fate.outcome,
+                           fate.now.parameter.empty() ? "" : valueText(fate.now)});
+  }
+  return table;
+}
+
 std::string originOf(const WholeDiagnosis& diagnosis, const Provenance& provenance) {
   return "<h2>Where this comes from</h2>\n<p>" + originInHtml(provenance) + ". Threshold " +
          fixed(diagnosis.set.critical_gain, 1) + " nats: 1 % of whole sets, by " +
@@ -114,6 +126,7 @@ std::string originOf(const WholeDiagnosis& diagnosis, const Provenance& provenan
 std::string wholePage(const WholeDiagnosis& diagnosis, const Provenance& provenance) {
   std::string body = "<p class=\"verdict\">" + escapeHtml(headline(diagnosis)) + "</p>\n";
   body += toHtml(findingsOf(diagnosis));
+  if (!diagnosis.handed_on.empty()) body += toHtml(handedOnOf(diagnosis));
   for (const auto& worst : diagnosis.courses) {
     body += "<h2>" + escapeHtml(worst.place + ": " + worst.joint + " is furthest off") + "</h2>\n";
     body += drawSvg(drawCourse(worst.course));

@@ -24,6 +24,28 @@ std::string sentenceOf(const WholeDiagnosis::RobotSpread& one) {
          fixed(spread.high, 2) + withFound(one);
 }
 
+// "LHipPitch: encoder_offset 3.3 deg from below: found here too, 3.26 deg"
+std::string sentenceOf(const HandedOnFate& fate) {
+  std::string text = fate.was.place + ": " + fate.was.cause + " " + valueText(fate.before) +
+                     " was handed on: " + fate.outcome;
+  return text + (fate.now.parameter.empty() ? "" : ", " + valueText(fate.now));
+}
+
+Json toJson(const std::vector<HandedOnFate>& fates) {
+  Json all = Json::array();
+  for (const HandedOnFate& fate : fates) {
+    const bool here = !fate.now.parameter.empty();
+    all.push_back({{"place", fate.was.place},
+                   {"cause", fate.was.cause},
+                   {"deviation", fate.before.deviation},
+                   {"named_alone", fate.was.alone},
+                   {"would_show_sd", fate.would_show},
+                   {"outcome", fate.outcome},
+                   {"deviation_here", here ? Json(fate.now.deviation) : Json(nullptr)}});
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string toJson(const WholeDiagnosis& diagnosis, const Provenance& provenance) {
@@ -50,6 +72,7 @@ std::string toJson(const WholeDiagnosis& diagnosis, const Provenance& provenance
   }
   all["second_moments"] = spreads;
   all["gait"] = gait;
+  all["handed_on"] = toJson(diagnosis.handed_on);
   return all.dump(2);
 }
 
@@ -59,6 +82,7 @@ std::string toText(const WholeDiagnosis& diagnosis) {
   for (const auto& one : diagnosis.spreads) {
     if (one.spread.differs) out << sentenceOf(one) << "\n";
   }
+  for (const HandedOnFate& fate : diagnosis.handed_on) out << sentenceOf(fate) << "\n";
   TextTable table{
       "Mean of the runs", {"motion", "", "measured", "nominal", "with what was found"}, {}};
   for (const GaitRow& row : diagnosis.gait) {

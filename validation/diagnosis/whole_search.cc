@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
 
 #include "validation/diagnosis/joint_search.h"
 #include "validation/diagnosis/least_squares.h"
@@ -18,9 +16,6 @@ constexpr double kLeastShare = 0.03;
 // 99 % of chi-square with one degree of freedom, maximised over about ten independent looks, half:
 // what the threshold would be if the noise were white [nats].
 constexpr double kWhiteThreshold = 6;
-// Of a look at a rough cause: sizes at which it is tried, and how many looks of one cause are.
-constexpr double kSizes[] = {0.35, 0.5, 0.7, 1, 1.4};
-constexpr std::size_t kMostLooks = 6;
 // Times the noise before, that a cause must leave for its rivals to be compared once more.
 constexpr double kLessNoise = 0.8;
 // Of what was wrong at first, that a further cause must explain at least: a replay renders a gross
@@ -30,17 +25,19 @@ constexpr double kLeastOfAll = 0.02;
 }  // namespace
 
 WholeSearch::WholeSearch(const WholeTask& task, const WholeSpread& spread, Progress progress,
-                         double false_alarms)
+                         double false_alarms, std::vector<Provisional> provisional)
     : task_(task),
       progress_(std::move(progress)),
       false_alarms_(false_alarms),
       nominal_(spread),
-      spread_(spread) {}
+      spread_(spread),
+      provisional_(std::move(provisional)) {}
 
 WholeVerdict WholeSearch::run() {
   enter({});
   misfit_before_ =
       stage_->whiteAll(stage_->raw()).squaredNorm() / static_cast<double>(task_.data->size());
+  lookAtProvisional();
   while (static_cast<int>(fit_.model.size()) < task_.effort.most_causes && step()) review();
   WholeVerdict verdict;
   judge(verdict);
@@ -71,88 +68,11 @@ void WholeSearch::learnNoise() {
   task_.noise = spread_.noise;
 }
 
-// Where the fit of a cause may begin: where its best look would be best, and where it was taken. A
-// rough cause does nothing below some size and everything beyond another (a stop that is not
-// reached, a floor that still holds): all of its looks that promise something, at several sizes.
-std::vector<WholeChosen> WholeSearch::beginningsOf(const WholeLook& look, double scale) const {
-  std::vector<WholeChosen> all{{look.cause, look.x}, {look.cause, look.x}};
-  all.front().x[0] *= scale;
-  if (placed(look.cause).cause.linear) return all;
-  const Eigen::VectorXd white = stage_->white(stage_->raw());
-  std::vector<std::pair<double, const WholeLook*>> promising;
-  for (const WholeLook& other : stage_->looks()) {
-    if (other.cause == look.cause) promising.push_back({WholeStage::gain(other, white), &other});
-  }
-  std::stable_sort(promising.begin(), promising.end(),
-                   [](const auto& a, const auto& b) { return a.first > b.first; });
-  if (promising.size() > kMostLooks) promising.resize(kMostLooks);
-  for (const auto& [gain, other] : promising) {
-    for (const double part : kSizes) {
-      all.push_back({other->cause, other->x});
-      all.back().x[0] *= part;
-    }
-  }
-  return all;
+bool WholeSearch::step() {
+  std::vector<Candidate> ranking = rank();
+  preferProvisional(ranking);
+  return accept(ranking);
 }
-
-WholeFit WholeSearch::fitFrom(const WholeLook& look, double scale) const {
-  WholeModel best;
-  double least = std::numeric_limits<double>::infinity();
-  for (const WholeChosen& beginning : beginningsOf(look, scale)) {
-    WholeModel model = fit_.model;
-    model.push_back(beginning);
-    const double cost = stage_->whitenFit(roughResidual(task_, model)).squaredNorm();
-    if (cost >= least) continue;
-    least = cost;
-    best = std::move(model);
-  }
-  return fitModel(task_, *stage_, best);
-}
-
-std::vector<WholeSearch::Candidate> WholeSearch::rank() {
-  const Eigen::VectorXd white = stage_->white(stage_->raw());
-  struct Best {
-    double gain = 0, scale = 0;
-    const WholeLook* look = nullptr;
-  };
-  std::map<std::size_t, Best> best;
-  for (const WholeLook& look : stage_->looks()) {
-    double scale = 0;
-    const double gain = WholeStage::gain(look, white, &scale);
-    if (gain > best[look.cause].gain) best[look.cause] = {gain, scale, &look};
-  }
-  std::vector<Best> looks;
-  for (const auto& [cause, one] : best) {
-    if (one.look) looks.push_back(one);
-  }
-  std::stable_sort(looks.begin(), looks.end(),
-                   [](const Best& a, const Best& b) { return a.gain > b.gain; });
-  const double least = looks.empty() ? 0 : std::max(critical_ / 3, 0.1 * looks.front().gain);
-  std::vector<Best> finalists;
-  for (const Best& one : looks) {
-    if (one.gain >= least && static_cast<int>(finalists.size()) < task_.effort.finalists) {
-      finalists.push_back(one);
-    } else if (one.gain > critical_ / 3) {
-      rejected_.push_back({labelOf(one.look->cause, ""), one.gain, "others promise more"});
-    }
-  }
-  if (!finalists.empty()) tell("fitting " + std::to_string(finalists.size()) + " causes");
-  if (task_.data->used() > task_.granted) {
-    for (const Best& one : finalists) not_tried_.push_back(labelOf(one.look->cause, ""));
-    finalists.clear();
-  }
-  std::vector<Candidate> ranking(finalists.size());
-  inParallel(finalists.size(), task_.jobs, [&](std::size_t i) {
-    ranking[i].cause = finalists[i].look->cause;
-    ranking[i].fit = fitFrom(*finalists[i].look, finalists[i].scale);
-    ranking[i].gain = fit_.cost - ranking[i].fit.cost;
-  });
-  std::stable_sort(ranking.begin(), ranking.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.gain > b.gain; });
-  return ranking;
-}
-
-bool WholeSearch::step() { return accept(rank()); }
 
 bool WholeSearch::accept(const std::vector<Candidate>& ranking) {
   for (const Candidate& candidate : ranking) {
@@ -246,21 +166,6 @@ std::string WholeSearch::objection(const Candidate& candidate, double held_out) 
   if (excess > 0 && candidate.gain < kLeastShare * excess) return "explains too little";
   if (candidate.gain < kLeastOfAll * gained_) return "explains little beside what was found";
   return "";
-}
-
-std::vector<Rival> WholeSearch::rivalsOf(const std::vector<Candidate>& ranking,
-                                         const Candidate& best) const {
-  std::vector<Rival> rivals;
-  for (const Candidate& other : ranking) {
-    const double behind = best.gain - other.gain;
-    if (&other == &best || other.gain <= critical_ || behind < 0) continue;
-    const double apart = (best.fit.residual - other.fit.residual).norm();
-    const double reach = std::max(3 * spread_of_gain_, 1.5 * apart * std::sqrt(spread_of_gain_));
-    if (behind > reach) continue;
-    rivals.push_back({labelOf(other.cause, placed(best.cause).place),
-                      numbersOf(other.fit.model.back()), behind});
-  }
-  return rivals;
 }
 
 // Every cause competes again once another one has joined: it must still be needed, and be better

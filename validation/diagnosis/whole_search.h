@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "validation/diagnosis/handed_on.h"
 #include "validation/diagnosis/verdict.h"
 #include "validation/diagnosis/whole_fit.h"
 #include "validation/diagnosis/whole_spread.h"
@@ -30,6 +31,7 @@ struct WholeVerdict {
   WholeModel model;                    // numbers of task.causes
   WholeSpread spread;                  // with that model; as it was told if that is empty
   std::vector<std::string> not_tried;  // as the budget was spent
+  std::vector<HandedOnFate> handed_on;
 };
 
 /// The search for the causes at the limb or robot level: forward selection from looks, fits by
@@ -41,8 +43,9 @@ class WholeSearch {
   using Progress = std::function<void(const std::string&)>;
   /// `false_alarms`: the share of sets without a cause that may name one.
   /// `spread`: of the model without a cause; it replaces the task's noise.
+  /// `provisional`: what a lower level found; fitted in any case, begun from its numbers.
   WholeSearch(const WholeTask& task, const WholeSpread& spread, Progress progress,
-              double false_alarms = 0.01);
+              double false_alarms = 0.01, std::vector<Provisional> provisional = {});
 
   WholeVerdict run();
 
@@ -56,7 +59,18 @@ class WholeSearch {
   void enter(const WholeFit& fit);
   void learnNoise();
   bool step();
+  struct Promise {
+    double gain = 0, scale = 0;
+    const WholeLook* look = nullptr;
+  };
+  std::vector<Promise> promises() const;
+  std::vector<std::vector<WholeChosen>> finalists();
   std::vector<Candidate> rank();
+  void preferProvisional(std::vector<Candidate>& ranking) const;
+  const Provisional* provisionalOf(std::size_t cause) const;
+  bool isInModel(std::size_t cause) const;
+  void lookAtProvisional();
+  HandedOnFate fateOf(std::size_t number) const;
   bool accept(const std::vector<Candidate>& ranking);
   void take(const std::vector<Candidate>& ranking, const Candidate& one, double held_out);
   void compareAgain();
@@ -71,7 +85,8 @@ class WholeSearch {
   std::string signature() const;
 
   std::vector<WholeChosen> beginningsOf(const WholeLook& look, double scale) const;
-  WholeFit fitFrom(const WholeLook& look, double scale) const;
+  WholeFit fitFrom(const std::vector<WholeChosen>& beginnings) const;
+  double reachOf(const Candidate& best, const Candidate& other) const;
   std::vector<Rival> rivalsOf(const std::vector<Candidate>& ranking, const Candidate& best) const;
   const PlacedCause& placed(std::size_t cause) const { return (*task_.causes)[cause]; }
   std::string labelOf(std::size_t cause, const std::string& beside) const;
@@ -97,6 +112,8 @@ class WholeSearch {
   std::set<std::size_t> dropped_;   // causes that a review took out: else it would go in circles
   std::vector<Rejected> rejected_;
   std::vector<std::string> not_tried_;
+  std::vector<Provisional> provisional_;
+  std::vector<double> would_show_;  // of each of these [SD]
 };
 
 }  // namespace nao::validation

@@ -27,9 +27,14 @@ LogSet record(const std::vector<EffectSetting>& hidden, double noise, std::uint6
   return recordOnFloor(plan);
 }
 
-WholeDiagnosis diagnose(const LogSet& set) {
+WholeDiagnosis diagnose(const LogSet& set,
+                        std::vector<std::string> only = {"kp_error at LHipPitch",
+                                                         "kp_error at RHipPitch",
+                                                         "encoder_offset at LHipPitch"},
+                        std::vector<HandedOn> handed_on = {}) {
   WholeDiagnosisOptions options;
-  options.only = {"kp_error at LHipPitch", "kp_error at RHipPitch", "encoder_offset at LHipPitch"};
+  options.only = std::move(only);
+  options.handed_on = std::move(handed_on);
   options.effort.base_runs = 12;
   options.effort.fit_runs = 3;
   options.effort.finalists = 2;
@@ -69,6 +74,26 @@ TEST(WholeDiagnosis, OfTwoRobotsBlamesTheFaultyOne) {
   EXPECT_EQ(json["level"], "robot");
   EXPECT_EQ(json["second_moments"].size(), 2u);
   EXPECT_FALSE(json["gait"].empty());
+}
+
+// This level would not try it by itself here; of what is not so, one would show and one would not.
+TEST(WholeDiagnosis, WhatALowerLevelFoundCompetesAgain) {
+  const WholeDiagnosis diagnosis =
+      diagnose(record({weakHip()}, 1, 3), {"encoder_offset at LHipPitch"},
+               {{"LHipPitch", "kp_error", {-0.3}, true},
+                {"RHipPitch", "kp_error", {-0.8}, true},
+                {"HeadYaw", "kp_error", {-0.4}, true}});
+  EXPECT_EQ(placesOf(diagnosis), "kp_error at LHipPitch; ");
+  ASSERT_EQ(diagnosis.handed_on.size(), 3u);
+  EXPECT_EQ(diagnosis.handed_on[0].outcome, "found here too");
+  EXPECT_NEAR(diagnosis.handed_on[0].now.deviation, -0.4, 0.15);  // as above
+  EXPECT_EQ(diagnosis.handed_on[1].outcome.find("not found here"), 0u);
+  EXPECT_GT(diagnosis.handed_on[1].would_show, 2 * diagnosis.handed_on[2].would_show);
+  EXPECT_EQ(diagnosis.handed_on[2].outcome, "these motions do not tell")
+      << diagnosis.handed_on[2].would_show << " SD, threshold " << diagnosis.set.critical_gain;
+  const auto json =
+      nlohmann::json::parse(toJson(diagnosis, {"set", "nao_h21_v33", "command", "robot"}));
+  EXPECT_EQ(json["handed_on"].size(), 3u);
 }
 
 TEST(WholeSpread, TellsThatRepeatsScatterMoreThanTheModel) {

@@ -1,0 +1,89 @@
+#include "validation/diagnosis/handed_on.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/config.h"
+#include "tests/core/temporary_folder.h"
+#include "tests/support/models.h"
+
+namespace nao::validation {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const char* const kReport = R"({"level": "joint",
+  "shared": [{"cause": "command_latency", "rivals": [],
+              "numbers": [{"parameter": "delay", "deviation": 0.004}]}],
+  "joints": [
+    {"joint": "LKneePitch", "findings": [
+      {"cause": "backlash", "numbers": [{"parameter": "width", "deviation": 0.01}],
+       "rivals": [{"cause": "torque_limit", "numbers": [{"parameter": "part", "deviation": 2}]},
+                  {"cause": "unknown", "numbers": []}]},
+      {"cause": "kp_error", "numbers": [{"parameter": "part", "deviation": 0.02}],
+       "rivals": [], "below_size_of_interest": true}]},
+    {"joint": "LLeg", "findings": [
+      {"cause": "link_mass", "numbers": [{"parameter": "part", "deviation": 0.1}],
+       "rivals": [{"cause": "kp_error at LHipRoll",
+                   "numbers": [{"parameter": "part", "deviation": -0.2}]}]}]}]})";
+
+std::string textOf(const HandedOn& one) {
+  return one.cause + " at " + one.place + (one.alone ? "" : "?");
+}
+
+std::vector<std::string> textsOf(const std::vector<HandedOn>& all) {
+  std::vector<std::string> texts;
+  for (const HandedOn& one : all) texts.push_back(textOf(one));
+  return texts;
+}
+
+std::string complaint(const TemporaryFolder& folder, const std::string& text) {
+  try {
+    readHandedOn(folder.write("report.json", text), "limb");
+  } catch (const InputError& error) {
+    return folder.withoutPath(error.what());
+  }
+  return "nothing";
+}
+
+TEST(HandedOn, IsWhatALowerLevelNamesAndTheRivalsOfIt) {
+  const TemporaryFolder folder;
+  const auto all = readHandedOn(folder.write("report.json", kReport), "robot");
+  EXPECT_THAT(textsOf(all), ElementsAre("command_latency at robot", "backlash at LKneePitch?",
+                                        "torque_limit at LKneePitch?", "link_mass at LLeg?",
+                                        "kp_error at LHipRoll?"));
+  EXPECT_THAT(all[1].x, ElementsAre(0.01));
+}
+
+TEST(HandedOn, IsOfALowerLevelAlone) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(complaint(folder, R"({"level": "limb", "shared": [], "joints": []})"),
+              HasSubstr("is of the limb level, expected one below limb"));
+  EXPECT_THAT(complaint(folder, R"({"level": "joint", "shared": [], "joints": []})"),
+              HasSubstr("names no cause"));
+  EXPECT_THAT(complaint(folder, "{}"), HasSubstr("expected the report.json of a diagnosis"));
+}
+
+TEST(HandedOn, StandsAmongTheCausesOfALevelThatDoesNotTryItByItself) {
+  const auto model = test::robot("nao_h21_v33");
+  std::vector<Joint> all;
+  for (const Actuator& one : model->actuators) all.push_back(*model->findJoint(one.name));
+  const std::vector<Joint> leg = jointsOf(*model, "LLeg", all);
+  std::vector<PlacedCause> causes = limbCauses(*model, "LLeg", all);
+  const std::size_t tried = causes.size();
+  const std::vector<HandedOn> handed_on{{"LKneePitch", "backlash", {0.01}, true},
+                                        {"LKneePitch", "motor_inertia", {0.5}, true},
+                                        {"RKneePitch", "backlash", {0.01}, true},
+                                        {"robot", "command_latency", {0.004}, true}};
+  const auto found = provisionalAmong(causes, handed_on, leg, *model, all);
+  ASSERT_EQ(found.size(), 2u);  // the others are none of this limb's
+  ASSERT_EQ(causes.size(), tried + 1);
+  EXPECT_LT(found[0].chosen.cause, tried);
+  EXPECT_EQ(found[1].chosen.cause, tried);
+  EXPECT_EQ(causes.back().cause.id, "motor_inertia");
+  EXPECT_EQ(causes.back().joints, std::vector<Joint>{*model->findJoint("LKneePitch")});
+}
+
+}  // namespace
+}  // namespace nao::validation

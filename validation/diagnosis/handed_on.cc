@@ -1,0 +1,102 @@
+#include "validation/diagnosis/handed_on.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/config.h"
+#include "validation/diagnosis/report_file.h"
+
+namespace nao::validation {
+namespace {
+
+using Json = nlohmann::json;
+
+int heightOf(const std::string& level) { return level == "joint" ? 0 : level == "limb" ? 1 : 2; }
+
+void add(const Json& cause, const std::string& place, bool alone, std::vector<HandedOn>& all) {
+  HandedOn one{place, cause.at("cause"), {}, alone};
+  const std::size_t at = one.cause.find(" at ");  // a rival elsewhere
+  if (at != std::string::npos) {
+    one.place = one.cause.substr(at + 4);
+    one.cause.resize(at);
+  }
+  for (const Json& number : cause.at("numbers")) one.x.push_back(number.at("deviation"));
+  if (!one.x.empty()) all.push_back(std::move(one));  // "unknown" has none
+}
+
+void addAll(const Json& finding, const std::string& place, std::vector<HandedOn>& all) {
+  if (finding.value("below_size_of_interest", false)) return;
+  add(finding, place, finding.at("rivals").empty(), all);
+  for (const Json& rival : finding.at("rivals")) add(rival, place, false, all);
+}
+
+bool contains(const std::vector<Joint>& all, const std::vector<Joint>& some) {
+  return std::all_of(some.begin(), some.end(), [&](Joint joint) {
+    return std::find(all.begin(), all.end(), joint) != all.end();
+  });
+}
+
+std::size_t indexOf(const std::vector<PlacedCause>& causes, const HandedOn& one) {
+  const auto same = [&](const PlacedCause& other) {
+    return other.cause.id == one.cause && other.place == one.place;
+  };
+  return static_cast<std::size_t>(std::find_if(causes.begin(), causes.end(), same) -
+                                  causes.begin());
+}
+
+// One look is enough: it is fitted in any case.
+Cause lookedAt(Cause cause, const std::vector<double>& x) {
+  for (std::size_t i = 0; i < cause.free.size() && i < x.size(); ++i) cause.free[i].starts = {x[i]};
+  return cause;
+}
+
+const Cause* ofJoints(const std::string& id) {
+  const auto& all = jointCauses();
+  const auto at = std::find_if(all.begin(), all.end(), [&](const Cause& c) { return c.id == id; });
+  return at == all.end() ? nullptr : &*at;
+}
+
+}  // namespace
+
+std::vector<HandedOn> readHandedOn(const std::string& report_file, const std::string& level) {
+  std::vector<HandedOn> all;
+  readReport(report_file, [&](const Json& report) {
+    const std::string from = report.at("level");
+    if (heightOf(from) >= heightOf(level)) {
+      throw InputError(report_file + ": is of the " + from + " level, expected one below " + level);
+    }
+    for (const Json& finding : report.at("shared")) addAll(finding, "robot", all);
+    for (const Json& entry : report.at("joints")) {
+      const ReportedPlace place(entry.at("joint"));
+      if (!place.robot_id.empty()) throw InputError(report_file + ": expected that of one robot");
+      for (const Json& finding : entry.at("findings")) addAll(finding, place.name, all);
+    }
+  });
+  if (all.empty()) throw InputError(report_file + ": names no cause that could be handed on");
+  return all;
+}
+
+std::vector<Provisional> provisionalAmong(std::vector<PlacedCause>& causes,
+                                          const std::vector<HandedOn>& handed_on,
+                                          const std::vector<Joint>& joints, const RobotModel& model,
+                                          const std::vector<Joint>& measured) {
+  std::vector<Provisional> found;
+  for (const HandedOn& one : handed_on) {
+    const std::vector<Joint> there = jointsAt(one.place, "the report handed on", model);
+    if (!contains(measured, there)) continue;
+    if (!joints.empty() && (there.empty() || !contains(joints, there))) continue;
+    const std::size_t at = indexOf(causes, one);
+    if (at == causes.size()) {
+      const Cause* cause = ofJoints(one.cause);
+      if (cause == nullptr) continue;
+      causes.push_back(placedCause(lookedAt(*cause, one.x), one.place, there, model, measured));
+    }
+    const bool again = std::any_of(found.begin(), found.end(), [&](const Provisional& other) {
+      return other.chosen.cause == at;
+    });
+    if (!again && causes[at].cause.free.size() == one.x.size()) found.push_back({one, {at, one.x}});
+  }
+  return found;
+}
+
+}  // namespace nao::validation

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "core/robot_model.h"
+
+namespace nao::validation {
+
+/// Gives `take` what a diagnosis wrote into its report.json.
+/// @throws InputError if it can not be read, is none, or lacks what `take` asks it for.
+void readReport(const std::string& file, const std::function<void(const nlohmann::json&)>& take);
+
+/// Where something was found: "LHipPitch", "LLeg", "robot"; "7/LHipPitch" in a report of several
+/// robots.
+struct ReportedPlace {
+  explicit ReportedPlace(const std::string& text);
+  std::string robot_id, name;
+};
+
+/// The joints of a place of this report; none: all that the robot has.
+/// @throws InputError for a place that the robot does not have.
+std::vector<Joint> jointsAt(const std::string& place, const std::string& file,
+                            const RobotModel& model);
+
+}  // namespace nao::validation
