@@ -1,10 +1,10 @@
 // The part of WholeSearch that puts what was found into words and numbers.
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "validation/diagnosis/joint_search.h"
+#include "validation/diagnosis/whole_numbers.h"
 #include "validation/diagnosis/whole_search.h"
 
 namespace nao::validation {
@@ -26,7 +26,7 @@ void WholeSearch::judge(WholeVerdict& verdict) const {
   verdict.remainder = verdict.misfit_after;
   verdict.remainder_critical = quantile(nulls, 1 - false_alarms_) / middle * kModelError;
   bool named = false, ambiguous = false;
-  const Eigen::MatrixXd draws = drawNumbers(*stage_, fit_.jacobian);
+  const Eigen::MatrixXd draws = drawNumbers(task_, *stage_, fit_);
   for (std::size_t place = 0; place < fit_.model.size(); ++place) {
     verdict.findings.push_back(finding(place, draws));
     const Finding& found = verdict.findings.back().finding;

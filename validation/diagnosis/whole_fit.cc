@@ -1,6 +1,5 @@
 #include "validation/diagnosis/whole_fit.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -105,19 +104,6 @@ Eigen::MatrixXd jacobianOf(const WholeTask& task, const WholeModel& model) {
     jacobian.col(static_cast<Eigen::Index>(i)) = (residual.back() - residual[i]) / step[i];
   }
   return jacobian;
-}
-
-Eigen::MatrixXd drawNumbers(const WholeStage& stage, const Eigen::MatrixXd& jacobian) {
-  const std::vector<Eigen::VectorXd>& nulls = stage.nulls();
-  Eigen::MatrixXd draws(jacobian.cols(), static_cast<Eigen::Index>(nulls.size()));
-  if (draws.size() == 0) return draws;
-  Eigen::MatrixXd white(stage.whitenFit(nulls.front()).size(), jacobian.cols());
-  for (Eigen::Index i = 0; i < white.cols(); ++i) white.col(i) = stage.whitenFit(jacobian.col(i));
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solve(white);
-  for (Eigen::Index set = 0; set < draws.cols(); ++set) {
-    draws.col(set) = solve.solve(stage.whitenFit(nulls[static_cast<std::size_t>(set)]));
-  }
-  return draws;
 }
 
 }  // namespace nao::validation

@@ -29,8 +29,4 @@ WholeFit fitModel(const WholeTask& task, const WholeStage& stage, const WholeMod
 /// Of the stacked means by every number of the model, a thread of the task each.
 Eigen::MatrixXd jacobianOf(const WholeTask& task, const WholeModel& model);
 
-/// What the numbers of a fitted model would be in each null set of its own stage, less what they
-/// are, by one Gauss-Newton step: a column per set.
-Eigen::MatrixXd drawNumbers(const WholeStage& stage, const Eigen::MatrixXd& jacobian);
-
 }  // namespace nao::validation

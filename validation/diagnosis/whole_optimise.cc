@@ -5,7 +5,7 @@
 #include "core/check.h"
 #include "validation/diagnosis/block_bootstrap.h"
 #include "validation/diagnosis/merge_effects.h"
-#include "validation/diagnosis/whole_fit.h"
+#include "validation/diagnosis/whole_numbers.h"
 #include "validation/diagnosis/whole_replay.h"
 #include "validation/diagnosis/whole_spread.h"
 
@@ -157,7 +157,9 @@ Optimised optimiseWhole(const LogSet& set, const std::shared_ptr<const RobotMode
   task.noise = fitSpread(data, found.settings, task.effort.base_runs, options.jobs).noise;
   best.jacobian = jacobianOf(task, best.model);
   const WholeStage at_best(task, best.model, none);
-  found.numbers = numbers.list(best.model, drawNumbers(at_best, best.jacobian));
+  refine(task, at_best, best);
+  found.settings = settingsOf(numbers.causes(), best.model);
+  found.numbers = numbers.list(best.model, drawNumbers(task, at_best, best));
   requireShown(best.jacobian, found.numbers, set);
   found.intervals = "what chance would have made of the numbers in sets of the fitted model";
   const auto error = [&](const std::vector<EffectSetting>& settings, Split split) {

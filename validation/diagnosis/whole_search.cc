@@ -6,6 +6,7 @@
 #include "validation/diagnosis/joint_search.h"
 #include "validation/diagnosis/least_squares.h"
 #include "validation/diagnosis/team.h"
+#include "validation/diagnosis/whole_numbers.h"
 
 namespace nao::validation {
 namespace {
@@ -39,6 +40,7 @@ WholeVerdict WholeSearch::run() {
       stage_->whiteAll(stage_->raw()).squaredNorm() / static_cast<double>(task_.data->size());
   lookAtProvisional();
   while (static_cast<int>(fit_.model.size()) < task_.effort.most_causes && step()) review();
+  refine(task_, *stage_, fit_);
   WholeVerdict verdict;
   judge(verdict);
   describe(verdict);

@@ -212,6 +212,12 @@ void WholeStage::simulateNulls(const std::vector<Eigen::VectorXd>& means) {
   }
 }
 
+double WholeStage::simulatedPerRun() const {
+  double sum = 0;
+  for (const auto& runs : pool_) sum += static_cast<double>(runs.size());
+  return sum / static_cast<double>(pool_.size());
+}
+
 Eigen::VectorXd WholeStage::whitenFit(const Eigen::VectorXd& raw) const {
   return fit_(raw.head(task_.data->fitSize()));
 }

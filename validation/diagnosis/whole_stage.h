@@ -55,6 +55,7 @@ class WholeStage {
   const Eigen::VectorXd& raw() const { return raw_; }  // measured minus simulated means
   const Eigen::VectorXd& sd() const { return noise_.sd(); }
   const std::vector<Eigen::VectorXd>& nulls() const { return nulls_; }  // raw
+  double simulatedPerRun() const;  // runs of the model, for each that was measured
 
   /// Of a raw residual: the blocks to fit whitened; all blocks; and either without what the model's
   /// own numbers could explain.

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "validation/diagnosis/whole_fit.h"
+
+namespace nao::validation {
+
+/// How far the numbers of a model fitted to whole robots may be off: a column per null set of its
+/// stage, a row per number, what is to be taken off the number. In it are chance, of the
+/// measurement and of as few runs as were simulated; what equal robots differ by otherwise (the
+/// null sets have it) and in the numbers themselves; and, as far as signals disagree about the
+/// numbers by more than in null sets, that: what the model lacks makes each want another number.
+Eigen::MatrixXd drawNumbers(const WholeTask& task, const WholeStage& stage, const WholeFit& fit);
+
+/// Of the model's numbers, the step to where the many runs of its own stage fit best: its fit was
+/// made by few. Nothing if that is further than chance goes.
+void refine(const WholeTask& task, const WholeStage& stage, WholeFit& fit);
+
+}  // namespace nao::validation
