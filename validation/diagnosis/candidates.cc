@@ -50,18 +50,37 @@ Candidates::Candidates(Ensemble& ensemble, const JointData& data, const std::vec
     : ensemble_(ensemble), data_(data), causes_(causes), effort_(effort) {}
 
 std::vector<Candidate> Candidates::rankedAt(const Stage& stage, double critical) {
-  std::vector<Candidate> ranking = fittedQuickly(stage, critical);
+  std::vector<QuickFit> starts = startsAt(stage, critical, effort_.survivors);
+  if (!starts.empty()) addBeats(stage, starts);
+  return completed(stage, critical, fittedQuickly(stage, starts));
+}
+
+std::vector<Candidate> Candidates::rankedAgain(const Stage& stage, double critical,
+                                               const Chosen& own) {
+  std::vector<QuickFit> starts = startsAt(stage, critical, (effort_.survivors + 1) / 2);
+  const auto other = std::remove_if(starts.begin(), starts.end(),
+                                    [&](const QuickFit& one) { return one.cause == own.cause; });
+  starts.erase(other, starts.end());
+  starts.insert(starts.begin(), {own.cause, own.x, 0});
+  return completed(stage, critical, fittedQuickly(stage, starts));
+}
+
+std::vector<Candidate> Candidates::completed(const Stage& stage, double critical,
+                                             std::vector<Candidate> ranking) {
   addTwins(stage, ranking);
   fitFinalists(stage, critical, ranking);
   return ranking;
 }
 
-std::vector<Candidate> Candidates::fittedQuickly(const Stage& stage, double critical) {
-  std::vector<Candidate> ranking;
+std::vector<QuickFit> Candidates::startsAt(const Stage& stage, double critical, int most) const {
   const Eigen::VectorXd white = stage.white(stage.raw());
   const double least = std::max(kWorthFitting * critical, kHopeless * stage.largestGain(white));
-  auto starts = startsFor(stage, causes_, white, least, effort_.survivors);
-  if (!starts.empty()) addBeats(stage, starts);
+  return startsFor(stage, causes_, white, least, most);
+}
+
+std::vector<Candidate> Candidates::fittedQuickly(const Stage& stage,
+                                                 const std::vector<QuickFit>& starts) {
+  std::vector<Candidate> ranking;
   for (const QuickFit& start : starts) {
     if (ensemble_.spent()) {
       not_tried_.push_back(causes_[start.cause].id);

@@ -83,7 +83,7 @@ bool JointSearch::reviewOne(std::size_t place) {
     column += static_cast<std::size_t>(n);
   }
   const auto without = std::make_unique<Stage>(*stage_, place, jacobian);
-  std::vector<Candidate> ranking = candidates_.rankedAt(*without, critical());
+  std::vector<Candidate> ranking = candidates_.rankedAgain(*without, critical(), fit_.model[place]);
   candidates_.weigh(*without, byChance(), ranking);
   const std::size_t cause = accepted_[place].cause;
   const auto own = std::find_if(ranking.begin(), ranking.end(),

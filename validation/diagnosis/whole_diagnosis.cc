@@ -174,9 +174,9 @@ class RobotCase {
       }
       for (const GaitNumber& number : calcGait(simulator_.measured()[block.runs.front()])) {
         const std::string& name = number.name;
-        into_.gait.push_back({robot_, block.motion, name, number.unit, measured[name].mean(),
-                              measured[name].sd(), nominal[name].mean(), nominal[name].sd(),
-                              extended[name].mean()});
+        into_.gait.push_back({robot_, block.motion, nameOf(block.split), name, number.unit,
+                              measured[name].mean(), measured[name].sd(), nominal[name].mean(),
+                              nominal[name].sd(), extended[name].mean()});
       }
     }
   }

@@ -26,9 +26,9 @@ struct WholeDiagnosisOptions {
   std::function<void(const std::string&)> progress;
 };
 
-/// A gait number of one motion, measured and simulated.
+/// A gait number of the runs of one motion that serve for one thing, measured and simulated.
 struct GaitRow {
-  std::string robot, motion, name, unit;
+  std::string robot, motion, split, name, unit;
   double measured = 0, measured_sd = 0;  // of the repeats
   double nominal = 0, nominal_sd = 0;    // of the nominal model
   double extended = 0;                   // with what was found

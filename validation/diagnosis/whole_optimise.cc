@@ -111,12 +111,21 @@ WholeFit fitTillDone(const WholeTask& task, const WholeStage& stage, const Whole
   return best;
 }
 
-void requireShown(const Eigen::MatrixXd& jacobian, const std::vector<OptimisedNumber>& numbers,
+// `change`: of the runs, a column per number.
+void requireShown(const Eigen::MatrixXd& change, const std::vector<OptimisedNumber>& numbers,
                   const LogSet& set) {
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (jacobian.col(static_cast<Eigen::Index>(i)).norm() > 0) continue;
+    if (change.col(static_cast<Eigen::Index>(i)).norm() > 0) continue;
     throw InputError("--free " + nameOf(numbers[i].what) + ": " + set.name + " does not show it");
   }
+}
+
+// A fit takes long: first, whether anything moves as the robot is or with the effects on.
+void requireShownAnywhere(const WholeTask& task, const Numbers& numbers, const LogSet& set) {
+  const Eigen::MatrixXd off = jacobianOf(task, numbers.start(false)),
+                        on = jacobianOf(task, numbers.start(true));
+  requireShown(off.cwiseAbs() + on.cwiseAbs(),
+               numbers.list(numbers.start(false), Eigen::MatrixXd::Zero(off.cols(), 1)), set);
 }
 
 // Mean absolute error of all joints' angles [rad]; 0 of a split without runs.
@@ -146,6 +155,7 @@ Optimised optimiseWhole(const LogSet& set, const std::shared_ptr<const RobotMode
   WholeTask task{&data, &numbers.causes(), {}, 1, options.jobs};
   task.effort.fit_runs = options.runs;
   task.noise = fitSpread(data, {}, task.effort.base_runs, options.jobs).noise;
+  requireShownAnywhere(task, numbers, set);
   const Eigen::MatrixXd none(data.size(), 0);
   const WholeStage stage(task, numbers.start(false), none);
   WholeFit best = fitTillDone(task, stage, numbers.start(false));

@@ -87,10 +87,10 @@ TextTable spreadsOf(const WholeDiagnosis& diagnosis) {
 
 TextTable gaitOf(const WholeDiagnosis& diagnosis) {
   TextTable table{"Mean and SD of the runs",
-                  {"robot", "motion", "", "measured", "nominal", "with what was found"},
+                  {"robot", "motion", "runs to", "", "measured", "nominal", "with what was found"},
                   {}};
   for (const GaitRow& row : diagnosis.gait) {
-    table.lines.push_back({row.robot, row.motion, row.name,
+    table.lines.push_back({row.robot, row.motion, row.split, row.name,
                            fixed(row.measured, 4) + " +- " + fixed(row.measured_sd, 4),
                            fixed(row.nominal, 4) + " +- " + fixed(row.nominal_sd, 4),
                            fixed(row.extended, 4)});

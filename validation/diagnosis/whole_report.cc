@@ -63,6 +63,7 @@ std::string toJson(const WholeDiagnosis& diagnosis, const Provenance& provenance
   for (const GaitRow& row : diagnosis.gait) {
     gait.push_back({{"robot", row.robot},
                     {"motion", row.motion},
+                    {"split", row.split},
                     {"name", row.name},
                     {"measured", row.measured},
                     {"measured_sd", row.measured_sd},
@@ -83,11 +84,12 @@ std::string toText(const WholeDiagnosis& diagnosis) {
     if (one.spread.differs) out << sentenceOf(one) << "\n";
   }
   for (const HandedOnFate& fate : diagnosis.handed_on) out << sentenceOf(fate) << "\n";
-  TextTable table{
-      "Mean of the runs", {"motion", "", "measured", "nominal", "with what was found"}, {}};
+  TextTable table{"Mean of the runs",
+                  {"motion", "runs to", "", "measured", "nominal", "with what was found"},
+                  {}};
   for (const GaitRow& row : diagnosis.gait) {
-    table.lines.push_back({row.motion, row.name, fixed(row.measured, 4), fixed(row.nominal, 4),
-                           fixed(row.extended, 4)});
+    table.lines.push_back({row.motion, row.split, row.name, fixed(row.measured, 4),
+                           fixed(row.nominal, 4), fixed(row.extended, 4)});
   }
   if (!table.lines.empty()) {
     Report report;
