@@ -52,7 +52,7 @@ Candidates::Candidates(Ensemble& ensemble, const JointData& data, const std::vec
 std::vector<Candidate> Candidates::rankedAt(const Stage& stage, double critical) {
   std::vector<QuickFit> starts = startsAt(stage, critical, effort_.survivors);
   if (!starts.empty()) addBeats(stage, starts);
-  return completed(stage, critical, fittedQuickly(stage, starts));
+  return completed(stage, critical, fittedQuickly(stage, starts), effort_.finalists);
 }
 
 std::vector<Candidate> Candidates::rankedAgain(const Stage& stage, double critical,
@@ -62,13 +62,13 @@ std::vector<Candidate> Candidates::rankedAgain(const Stage& stage, double critic
                                     [&](const QuickFit& one) { return one.cause == own.cause; });
   starts.erase(other, starts.end());
   starts.insert(starts.begin(), {own.cause, own.x, 0});
-  return completed(stage, critical, fittedQuickly(stage, starts));
+  return completed(stage, critical, fittedQuickly(stage, starts), (effort_.finalists + 1) / 2);
 }
 
 std::vector<Candidate> Candidates::completed(const Stage& stage, double critical,
-                                             std::vector<Candidate> ranking) {
+                                             std::vector<Candidate> ranking, int finalists) {
   addTwins(stage, ranking);
-  fitFinalists(stage, critical, ranking);
+  fitFinalists(stage, critical, finalists, ranking);
   return ranking;
 }
 
@@ -118,11 +118,11 @@ void Candidates::addTwins(const Stage& stage, std::vector<Candidate>& ranking) {
   sortBest(ranking);
 }
 
-void Candidates::fitFinalists(const Stage& stage, double critical,
+void Candidates::fitFinalists(const Stage& stage, double critical, int most,
                               std::vector<Candidate>& ranking) {
   const double best = ranking.empty() ? 0 : ranking.front().gain;
   const double reach = std::max(2 * critical, kClose * best);
-  for (int i = 0; i < effort_.finalists && i < static_cast<int>(ranking.size()); ++i) {
+  for (int i = 0; i < most && i < static_cast<int>(ranking.size()); ++i) {
     Candidate& candidate = ranking[static_cast<std::size_t>(i)];
     if (candidate.gain < best - reach || ensemble_.spent()) break;
     fitFinally(stage, candidate);

@@ -34,8 +34,9 @@ class Candidates {
 
   /// Best first, of each cause its best numbers.
   std::vector<Candidate> rankedAt(const Stage& stage, double critical);
-  /// The same for the place of a cause that is in the model already: from its own numbers, and
-  /// of the others half as many. Sizes of clocks competed when the place was first taken.
+  /// The same for the place of a cause that is in the model already: from its own numbers, of the
+  /// others half as many, two in full (beside several causes one costs minutes). Sizes of clocks
+  /// competed when the place was first taken.
   std::vector<Candidate> rankedAgain(const Stage& stage, double critical, const Chosen& own);
   void fitFinally(const Stage& stage, Candidate& candidate);
   /// Fits are made of coarse steps, which are off by a few per cent of what a large cause explains:
@@ -49,10 +50,10 @@ class Candidates {
   std::vector<QuickFit> startsAt(const Stage& stage, double critical, int most) const;
   std::vector<Candidate> fittedQuickly(const Stage& stage, const std::vector<QuickFit>& starts);
   std::vector<Candidate> completed(const Stage& stage, double critical,
-                                   std::vector<Candidate> ranking);
+                                   std::vector<Candidate> ranking, int finalists);
   void addBeats(const Stage& stage, std::vector<QuickFit>& starts);
   void addTwins(const Stage& stage, std::vector<Candidate>& ranking);
-  void fitFinalists(const Stage& stage, double critical, std::vector<Candidate>& ranking);
+  void fitFinalists(const Stage& stage, double critical, int most, std::vector<Candidate>& ranking);
   double leftBy(const Stage& stage, ModelFit& fit);
 
   Ensemble& ensemble_;

@@ -171,7 +171,9 @@ Optimised optimiseWhole(const LogSet& set, const std::shared_ptr<const RobotMode
   found.settings = settingsOf(numbers.causes(), best.model);
   found.numbers = numbers.list(best.model, drawNumbers(task, at_best, best));
   requireShown(best.jacobian, found.numbers, set);
-  found.intervals = "what chance would have made of the numbers in sets of the fitted model";
+  found.intervals =
+      "what chance would have made of the numbers in sets of the fitted model, and what "
+      "signals disagree about beyond that";
   const auto error = [&](const std::vector<EffectSetting>& settings, Split split) {
     return errorOf(set, model, settings, split, options.jobs);
   };
