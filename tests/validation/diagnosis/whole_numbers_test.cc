@@ -1,0 +1,83 @@
+#include "validation/diagnosis/whole_numbers.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/models.h"
+#include "validation/log/floor_recording.h"
+
+namespace nao::validation {
+namespace {
+
+constexpr double kTruth = -0.4;
+
+// Ten squats of a robot whose left hip pitch has a weak servo, and its one cause.
+class WholeNumbersTest : public testing::Test {
+ protected:
+  WholeNumbersTest() {
+    const auto& all = jointCauses();
+    const auto kp =
+        std::find_if(all.begin(), all.end(), [](const Cause& c) { return c.id == "kp_error"; });
+    causes_ = {placedCause(*kp, "LHipPitch", {hip_}, *model_, simulator_.joints())};
+    task_.effort.base_runs = 10;
+    task_.effort.fit_runs = 5;
+  }
+
+  LogSet record() const {
+    FloorPlan plan;
+    plan.model = model_;
+    plan.motions = {{"squat", Split::Fit, 1.5, {}}};
+    plan.repeats = 10;
+    plan.extra = {{"kp_error", {{"part", kTruth}}, {hip_}, ""}};
+    return recordOnFloor(plan);
+  }
+
+  WholeFit fitAt(double x) const {
+    WholeFit fit;
+    fit.model = {{0, {x}}};
+    fit.jacobian = jacobianOf(task_, fit.model);
+    return fit;
+  }
+
+  std::shared_ptr<const RobotModel> model_ = test::robot("nao_h21_v33");
+  Joint hip_ = *model_->findJoint("LHipPitch");
+  WholeSimulator simulator_{record(), model_};
+  WholeData data_{simulator_, simulator_.joints(), false};
+  std::vector<PlacedCause> causes_;
+  WholeTask task_{&data_, &causes_, {}, 1, 1};
+};
+
+double varianceOf(const Eigen::MatrixXd& draws) {
+  return (draws.array() - draws.mean()).square().mean();
+}
+
+TEST_F(WholeNumbersTest, AreWhereTheManyRunsOfTheModelFitBest) {
+  WholeFit fit = fitAt(kTruth + 0.03);
+  const WholeStage stage(task_, fit.model, fit.jacobian);
+  refine(task_, stage, fit);
+  EXPECT_LT(fit.model[0].x[0], kTruth + 0.03);
+  EXPECT_NEAR(fit.model[0].x[0], kTruth, 0.03);
+}
+
+TEST_F(WholeNumbersTest, AreNotMovedFurtherThanChanceGoes) {
+  WholeFit fit = fitAt(0.8);
+  const WholeStage stage(task_, fit.model, fit.jacobian);
+  refine(task_, stage, fit);
+  EXPECT_EQ(fit.model[0].x[0], 0.8);
+}
+
+TEST_F(WholeNumbersTest, MayBeOffByWhatEqualRobotsDifferBy) {
+  const WholeFit fit = fitAt(kTruth);
+  causes_[0].cause.spread = 0;
+  const WholeStage stage(task_, fit.model, fit.jacobian);
+  const double chance = varianceOf(drawNumbers(task_, stage, fit));
+  EXPECT_GT(chance, 0);
+  causes_[0].cause.spread = 0.5;
+  const double spread = causes_[0].cause.spreadAt(kTruth);
+  // 200 draws: a variance is known to a tenth, thrice that is allowed.
+  EXPECT_NEAR(varianceOf(drawNumbers(task_, stage, fit)) / (chance + spread * spread), 1, 0.3);
+}
+
+}  // namespace
+}  // namespace nao::validation
