@@ -43,7 +43,7 @@ class WholeNumbersTest : public testing::Test {
   std::shared_ptr<const RobotModel> model_ = test::robot("nao_h21_v33");
   Joint hip_ = *model_->findJoint("LHipPitch");
   WholeSimulator simulator_{record(), model_};
-  WholeData data_{simulator_, simulator_.joints(), false};
+  WholeData data_{simulator_, simulator_.judged(), false};
   std::vector<PlacedCause> causes_;
   WholeTask task_{&data_, &causes_, {}, 1, 1};
 };
@@ -52,12 +52,15 @@ double varianceOf(const Eigen::MatrixXd& draws) {
   return (draws.array() - draws.mean()).square().mean();
 }
 
+// Ten squats tell the number to 0.012: the bound is twice that and more. A jacobian of numbers so
+// close that chance parts their runs stops 0.04 short of it.
 TEST_F(WholeNumbersTest, AreWhereTheManyRunsOfTheModelFitBest) {
-  WholeFit fit = fitAt(kTruth + 0.03);
-  const WholeStage stage(task_, fit.model, fit.jacobian);
-  refine(task_, stage, fit);
-  EXPECT_LT(fit.model[0].x[0], kTruth + 0.03);
-  EXPECT_NEAR(fit.model[0].x[0], kTruth, 0.03);
+  for (const double off : {-0.03, 0.05}) {
+    WholeFit fit = fitAt(kTruth + off);
+    const WholeStage stage(task_, fit.model, fit.jacobian);
+    refine(task_, stage, fit);
+    EXPECT_NEAR(fit.model[0].x[0], kTruth, 0.027) << off;
+  }
 }
 
 TEST_F(WholeNumbersTest, AreNotMovedFurtherThanChanceGoes) {
