@@ -78,9 +78,19 @@ std::vector<validation::JointTask> tasksOf(const validation::PreparedSet& set,
   return tasks;
 }
 
-void write(const std::string& file, const std::string& text) {
-  std::ofstream out(file);
+std::string partOf(const std::string& file) { return file + ".part"; }
+
+void writePart(const std::string& file, const std::string& text) {
+  std::ofstream out(partOf(file));
   if (!(out << text).flush()) throw InputError(file + ": can not be written");
+}
+
+// An earlier file of the name stays until this one is whole.
+void write(const std::string& file, const std::string& text) {
+  writePart(file, text);
+  std::error_code failed;
+  std::filesystem::rename(partOf(file), file, failed);
+  if (failed) throw InputError(file + ": can not be written");
 }
 
 // What can not be written or drawn is told before the work.
@@ -88,7 +98,9 @@ void prepareFolder(const std::string& folder) {
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
   if (failed) throw InputError("--out " + folder + ": the folder can not be made");
-  write(folder + "/report.json", "");
+  const std::string report = folder + "/report.json";
+  writePart(report, "");
+  std::filesystem::remove(partOf(report));
   validation::requireGnuplot();
 }
 

@@ -106,12 +106,15 @@ class TakenUpAgain : public testing::Test {
 TEST_F(TakenUpAgain, AfterItWasKilledItWritesTheSame) {
   ASSERT_GT(whole_.size(), 1000u);
   const std::string kept = folder_.path() + "/cut/unfinished";
+  const std::string report = folder_.path() + "/cut/report.json";
+  fs::create_directories(kept);
+  std::ofstream(report) << "an earlier one";
   for (const auto& [unit, signal] : {std::pair(".look.unit", SIGKILL), {".verdict.unit", SIGINT}}) {
-    fs::create_directories(kept);
     const pid_t child = start(command("cut", {}), log());
     awaitFile(kept, unit);
     kill(child, signal);
     EXPECT_EQ(exitCodeOf(child), 128 + signal);
+    EXPECT_EQ(read(report), "an earlier one");
   }
   EXPECT_NE(read(log()).find("the same command goes on"), std::string::npos) << read(log());
   EXPECT_EQ(diagnosed("cut", {}), whole_);
