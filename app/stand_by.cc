@@ -8,8 +8,9 @@
 namespace nao::app {
 namespace {
 
-constexpr long kTick = 250'000'000;  // [ns] between two drawings
-constexpr double kLinePart = 0.1;    // between two lines of a step
+constexpr long kTick = 250'000'000;            // [ns] between two drawings
+constexpr double kLinePart = 0.1;              // between two lines of a step,
+constexpr std::chrono::seconds kLineTime(60);  // unless it takes longer
 
 // Ctrl-C, the polite end, and our own waking up.
 sigset_t expectedSignals() {
@@ -98,10 +99,15 @@ void StandBy::drawBar(const State& state) {
 
 void StandBy::writeLine(const State& state) {
   const std::string left = timeLeft(state.part);
-  if (state.what == written_what_ && state.part < written_part_ + kLinePart) return;
+  const auto now = std::chrono::steady_clock::now();
+  if (state.what == written_what_ && state.part < written_part_ + kLinePart &&
+      now < written_at_ + kLineTime) {
+    return;
+  }
   std::fprintf(stderr, "%3.0f %%%s: %s\n", 100 * state.part, left.c_str(), state.what.c_str());
   written_what_ = state.what;
   written_part_ = state.part;
+  written_at_ = now;
 }
 
 }  // namespace nao::app

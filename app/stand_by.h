@@ -55,6 +55,7 @@ class StandBy {
   std::vector<std::pair<double, double>> course_;  // time [s] and part
   std::string written_what_;
   double written_part_ = 0;
+  std::chrono::steady_clock::time_point written_at_;
   bool drawn_ = false;
   std::thread thread_;
 };
