@@ -102,6 +102,8 @@ void JointSearch::describe(JointVerdict& verdict) {
   Eigen::MatrixXd moves;
   if (!accepted_.empty()) {
     moves = reestimated(*stage_, fit_);
+    // What has no name pulls at the numbers as noise of its size would.
+    moves *= std::max(1.0, misfit(*stage_, left_));
     addDisagreement(data_, *stage_, fit_, left_, moves);
   }
   addSpread(causes_, fit_.model, moves);
