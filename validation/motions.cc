@@ -338,32 +338,22 @@ Outcome runSinglestep(const ExperimentSettings& settings) {
   return left;
 }
 
-Experiment make(const char* name, const char* summary, Outcome (*run)(const ExperimentSettings&)) {
-  Experiment e;
-  e.name = name;
-  e.summary = summary;
-  e.choices = {Choice::Robot, Choice::World, Choice::Step, Choice::Seed, Choice::Runs};
-  e.defaults.seed = 1;
-  e.defaults.runs = 10;
-  e.run = run;
-  return e;
-}
-
 }  // namespace
 
 Experiment kickExperiment() {
-  return make("kick", "A kick with either foot: balance, joints, ankle (thesis figure 16).",
-              runKick);
+  return makeTrialExperiment(
+      "kick", "A kick with either foot: balance, joints, ankle (thesis figure 16).", runKick);
 }
 
 Experiment taichiExperiment() {
-  return make("taichi", "A slow dance on one leg, on both sides (thesis figures 19 to 21).",
-              runTaichi);
+  return makeTrialExperiment(
+      "taichi", "A slow dance on one leg, on both sides (thesis figures 19 to 21).", runTaichi);
 }
 
 Experiment singlestepExperiment() {
-  return make("singlestep", "One step of the walk engine, with each leg (thesis figure 22).",
-              runSinglestep);
+  return makeTrialExperiment("singlestep",
+                             "One step of the walk engine, with each leg (thesis figure 22).",
+                             runSinglestep);
 }
 
 }  // namespace nao::validation

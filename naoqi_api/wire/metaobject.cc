@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "naoqi_api/wire/meta_signatures.h"
+
 namespace nao::wire {
 namespace {
 
@@ -13,25 +15,10 @@ using rpc::Monitor;
 using rpc::Service;
 using rpc::Value;
 
-constexpr char kParameter[] = "(ss)<MetaMethodParameter,name,description>";
-constexpr char kMethod[] =
-    "(Issss[(ss)<MetaMethodParameter,name,description>]s)"
-    "<MetaMethod,uid,returnSignature,name,parametersSignature,description,parameters,"
-    "returnDescription>";
-constexpr char kSignal[] = "(Iss)<MetaSignal,uid,name,signature>";
-constexpr char kProperty[] = "(Iss)<MetaProperty,uid,name,signature>";
-constexpr char kMetaObject[] =
-    "({I(Issss[(ss)<MetaMethodParameter,name,description>]s)"
-    "<MetaMethod,uid,returnSignature,name,parametersSignature,description,parameters,"
-    "returnDescription>}"
-    "{I(Iss)<MetaSignal,uid,name,signature>}"
-    "{I(Iss)<MetaProperty,uid,name,signature>}s)"
-    "<MetaObject,methods,signals,properties,description>";
-
 constexpr BaseMethod kBaseMethods[] = {
     {base_action::kRegisterEvent, "registerEvent", "(IIL)", "L"},
     {base_action::kUnregisterEvent, "unregisterEvent", "(IIL)", "v"},
-    {base_action::kMetaObject, "metaObject", "(I)", kMetaObject},
+    {base_action::kMetaObject, "metaObject", "(I)", meta::kMetaObject},
     {base_action::kTerminate, "terminate", "(I)", "v"},
     {base_action::kProperty, "property", "(m)", "m"},
     {base_action::kSetProperty, "setProperty", "(mm)", "v"},
@@ -49,17 +36,17 @@ Value parametersOf(const Method& method, bool with_texts) {
   std::vector<Value> parameters;
   for (const Argument& argument : method.arguments) {
     if (!with_texts || argument.name.empty()) continue;
-    parameters.push_back(Value::tuple(kParameter, {argument.name, argument.meaning}));
+    parameters.push_back(Value::tuple(meta::kParameter, {argument.name, argument.meaning}));
   }
-  return Value::listOf(kParameter, std::move(parameters));
+  return Value::listOf(meta::kParameter, std::move(parameters));
 }
 
 Value methodValue(const Method& method, bool with_texts) {
   const std::string none;
   return Value::tuple(
-      kMethod, {method.uid, method.return_signature, method.name, method.parameters_signature,
-                with_texts ? method.meaning : none, parametersOf(method, with_texts),
-                with_texts ? method.return_meaning : none});
+      meta::kMethod, {method.uid, method.return_signature, method.name, method.parameters_signature,
+                      with_texts ? method.meaning : none, parametersOf(method, with_texts),
+                      with_texts ? method.return_meaning : none});
 }
 
 Value baseMethodValue(const BaseMethod& base) {
@@ -84,7 +71,7 @@ Entries methodsOf(const Service& service, bool with_texts) {
 
 void addSignal(Entries& entries, std::uint32_t uid, const std::string& name,
                const std::string& signature) {
-  entries.emplace_back(uid, Value::tuple(kSignal, {uid, name, signature}));
+  entries.emplace_back(uid, Value::tuple(meta::kSignal, {uid, name, signature}));
 }
 
 // A property is also a signal: it tells its changes.
@@ -106,14 +93,15 @@ Entries signalsOf(const Service& service) {
 Entries propertiesOf(const Service& service) {
   Entries entries;
   for (const auto& [uid, property] : service.properties()) {
-    entries.emplace_back(uid, Value::tuple(kProperty, {uid, property.name, property.signature}));
+    entries.emplace_back(uid,
+                         Value::tuple(meta::kProperty, {uid, property.name, property.signature}));
   }
   return entries;
 }
 
 }  // namespace
 
-const char* metaObjectSignature() { return kMetaObject; }
+const char* metaObjectSignature() { return meta::kMetaObject; }
 
 const BaseMethod* findBaseMethod(std::uint32_t uid) {
   for (const BaseMethod& method : kBaseMethods) {
@@ -134,10 +122,11 @@ const BaseTypes& typesOf(const BaseMethod& method) {
 }
 
 Value metaObjectOf(const Service& service, bool with_texts) {
-  return Value::tuple(kMetaObject, {Value::Map{"I", kMethod, methodsOf(service, with_texts)},
-                                    Value::Map{"I", kSignal, signalsOf(service)},
-                                    Value::Map{"I", kProperty, propertiesOf(service)},
-                                    with_texts ? service.meaning() : std::string()});
+  return Value::tuple(meta::kMetaObject,
+                      {Value::Map{"I", meta::kMethod, methodsOf(service, with_texts)},
+                       Value::Map{"I", meta::kSignal, signalsOf(service)},
+                       Value::Map{"I", meta::kProperty, propertiesOf(service)},
+                       with_texts ? service.meaning() : std::string()});
 }
 
 }  // namespace nao::wire

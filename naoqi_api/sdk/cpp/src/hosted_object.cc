@@ -11,6 +11,7 @@
 #include "naoqi_api/sdk/cpp/src/value_bridge.h"
 #include "naoqi_api/sdk/cpp/src/workers.h"
 #include "naoqi_api/wire/codec.h"
+#include "naoqi_api/wire/meta_signatures.h"
 
 namespace nao::client {
 namespace {
@@ -18,21 +19,6 @@ namespace {
 using rpc::CallError;
 using rpc::Signature;
 using rpc::Value;
-
-constexpr char kParameter[] = "(ss)<MetaMethodParameter,name,description>";
-constexpr char kMethod[] =
-    "(Issss[(ss)<MetaMethodParameter,name,description>]s)"
-    "<MetaMethod,uid,returnSignature,name,parametersSignature,description,parameters,"
-    "returnDescription>";
-constexpr char kSignal[] = "(Iss)<MetaSignal,uid,name,signature>";
-constexpr char kProperty[] = "(Iss)<MetaProperty,uid,name,signature>";
-constexpr char kMetaObject[] =
-    "({I(Issss[(ss)<MetaMethodParameter,name,description>]s)"
-    "<MetaMethod,uid,returnSignature,name,parametersSignature,description,parameters,"
-    "returnDescription>}"
-    "{I(Iss)<MetaSignal,uid,name,signature>}"
-    "{I(Iss)<MetaProperty,uid,name,signature>}s)"
-    "<MetaObject,methods,signals,properties,description>";
 
 struct Common {
   std::uint32_t uid;
@@ -44,7 +30,7 @@ struct Common {
 constexpr Common kCommon[] = {
     {0, "registerEvent", "(IIL)", "L"},
     {1, "unregisterEvent", "(IIL)", "v"},
-    {2, "metaObject", "(I)", kMetaObject},
+    {2, "metaObject", "(I)", wire::meta::kMetaObject},
     {3, "terminate", "(I)", "v"},
     {5, "property", "(m)", "m"},
     {6, "setProperty", "(mm)", "v"},
@@ -75,11 +61,12 @@ const Common& commonAt(std::uint32_t uid) {
 Value entry(std::uint32_t uid, const HostedObject::Method& method) {
   std::vector<Value> parameters;
   for (const auto& [name, meaning] : method.arguments) {
-    parameters.push_back(Value::tuple(kParameter, {name, meaning}));
+    parameters.push_back(Value::tuple(wire::meta::kParameter, {name, meaning}));
   }
-  return Value::tuple(kMethod,
-                      {uid, method.returns, method.name, method.parameters, method.meaning,
-                       Value::listOf(kParameter, std::move(parameters)), method.return_meaning});
+  return Value::tuple(
+      wire::meta::kMethod,
+      {uid, method.returns, method.name, method.parameters, method.meaning,
+       Value::listOf(wire::meta::kParameter, std::move(parameters)), method.return_meaning});
 }
 
 Value argumentsOf(const wire::Message& call, const std::string& parameters) {
@@ -158,7 +145,7 @@ Value HostedObject::resultOf(const wire::Message& call, std::string& returns) {
 }
 
 Value HostedObject::metaObject() const {
-  Value::Map methods{"I", kMethod, {}};
+  Value::Map methods{"I", wire::meta::kMethod, {}};
   for (const Common& one : kCommon) {
     methods.entries.emplace_back(
         Value(one.uid),
@@ -169,8 +156,9 @@ Value HostedObject::metaObject() const {
     const auto uid = static_cast<std::uint32_t>(kFirstOwn + i);
     methods.entries.emplace_back(Value(uid), entry(uid, methods_[i]));
   }
-  return Value::tuple(kMetaObject, {std::move(methods), Value::Map{"I", kSignal, {}},
-                                    Value::Map{"I", kProperty, {}}, meaning_});
+  return Value::tuple(wire::meta::kMetaObject,
+                      {std::move(methods), Value::Map{"I", wire::meta::kSignal, {}},
+                       Value::Map{"I", wire::meta::kProperty, {}}, meaning_});
 }
 
 // Modules have no signals or properties of their own.
