@@ -197,6 +197,9 @@ TEST_F(HostileClient, ManyThatSendLargeHalvesAndSleepTakeNoMoreThanTheBudget) {
     sleepers.back()->send(half);
   }
   expectWell();
+#if defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "the thread sanitizer's own memory is several times what the daemon holds";
+#endif
   EXPECT_LT(residentBytes(), before + 2 * ByteBudget::kMost);  // a vector may have grown twofold
 }
 
