@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "validation/diagnosis/least_squares.h"
-#include "validation/diagnosis/model_changes.h"
 #include "validation/diagnosis/size_search.h"
 
 namespace nao::validation {
@@ -15,8 +15,6 @@ constexpr double kNearlyAsGood = 0.7;  // of the best start's gain: free choice
 // Of a size: what another look makes of it; beyond, its cause is not linear that far. Free choice.
 constexpr double kAlike = 0.5;
 constexpr double kKept = 0.5;  // of what is promised: less, and it misleads
-// Of the best gain: less is neither named nor a rival. Free choice.
-constexpr double kWorthFollowing = 0.3;
 
 // Finite differences as wide as the size of interest: less matters to nobody.
 double stepOf(const FreeNumber& number) {
@@ -33,6 +31,66 @@ void append(FitSpace& space, const Cause& cause, const std::vector<double>& x) {
     space.step.push_back(stepOf(cause.free[i]));
   }
 }
+
+CauseList withNumbers(CauseList model, const std::vector<double>& numbers) {
+  std::size_t next = 0;
+  for (Chosen& one : model) {
+    for (double& x : one.x) x = numbers[next++];
+  }
+  return model;
+}
+
+// What a model's numbers change of the prediction, by ensembles of final_runs; remembers.
+class ModelChanges {
+ public:
+  ModelChanges(Ensemble& ensemble, const Stage& stage, const std::vector<Cause>& causes,
+               const CauseList& start, const Effort& effort)
+      : ensemble_(ensemble),
+        stage_(stage),
+        causes_(causes),
+        start_(start),
+        effort_(effort),
+        base_(ensemble.halves(settingsOf(causes, stage.model()), effort.final_runs)) {}
+
+  const Halves& at(const std::vector<double>& numbers) {
+    const auto known = seen_.find(numbers);
+    if (known != seen_.end()) return known->second;
+    const auto settings = settingsOf(causes_, withNumbers(start_, numbers));
+    return seen_[numbers] = ensemble_.halves(settings, effort_.final_runs) - base_;
+  }
+
+  double gain(const std::vector<double>& numbers) {
+    return Explained(stage_.whitenFit(at(numbers)), stage_.whitenFit(stage_.raw())).gain();
+  }
+
+  Halves slope(const FitSpace& space, std::size_t i, const std::vector<double>& numbers) {
+    std::vector<double> beside = numbers;
+    beside[i] += differenceStep(space, i, numbers[i]);
+    return (at(beside) - at(numbers)) * (1 / (beside[i] - numbers[i]));
+  }
+
+  // Widens a number's step until its difference is more than chance, up to half the number.
+  void widen(FitSpace& space, std::size_t i) {
+    if (space.isFixed(i)) return;
+    const double most = kWidest * std::abs(space.start[i]);
+    while (space.step[i] < most) {
+      if (stage_.whitenFit(slope(space, i, space.start)).coherence() > kCoherent) return;
+      space.step[i] =
+          std::min(kWider * std::max(space.step[i], 0.05 * std::abs(space.start[i])), most);
+    }
+  }
+
+ private:
+  static constexpr double kCoherent = 0.8, kWidest = 0.5, kWider = 3;
+
+  Ensemble& ensemble_;
+  const Stage& stage_;
+  const std::vector<Cause>& causes_;
+  const CauseList& start_;
+  const Effort& effort_;
+  Halves base_;
+  std::map<std::vector<double>, Halves> seen_;
+};
 
 // Of a look, below which a linear cause is better known by the look than by what it does itself:
 // that is mostly chance. Free choice.
@@ -92,7 +150,7 @@ bool isBestSeen(const Start& start, const std::vector<Start>& starts) {
 }  // namespace
 
 QuickFit fitQuickly(Ensemble& ensemble, const Stage& stage, const std::vector<Cause>& causes,
-                    const QuickFit& start, const Effort& effort, double others) {
+                    const QuickFit& start, const Effort& effort) {
   const auto& [cause, x, promised] = start;
   if (const Look* look = widerLook(stage, causes, cause, x)) {
     const Explained explained(look->white, stage.white(stage.raw()));
@@ -104,7 +162,7 @@ QuickFit fitQuickly(Ensemble& ensemble, const Stage& stage, const std::vector<Ca
   };
   const SizeSearch::Point rough = search(SizeSearch::Runs::Rough).from(x);
   const SizeSearch fine = search(SizeSearch::Runs::Coarse);
-  SizeSearch::Point best = fine.near(rough.x, kWorthFollowing * others);
+  SizeSearch::Point best = fine.near(rough.x);
   if (best.gain < kKept * rough.gain) {  // misled: neighbours matter
     const SizeSearch::Point other = fine.from(x);
     if (other.gain > best.gain) best = other;
@@ -131,9 +189,6 @@ ModelFit fitFully(Ensemble& ensemble, const JointData& data, const Stage& stage,
   const FitPoint found = leastSquares(
       [&](const std::vector<double>& numbers) -> Eigen::VectorXd {
         return stage.whitenFit(stage.raw() - changes.at(numbers).mean());
-      },
-      [&](const std::vector<double>& numbers, const std::vector<double>& near) -> Eigen::VectorXd {
-        return stage.whitenFit(stage.raw() - changes.beside(numbers, near).mean());
       },
       space);
   ModelFit fit;

@@ -24,10 +24,9 @@ struct QuickFit {
 };
 
 /// The numbers of a cause that fit best, by ensembles of look_runs. Begins at those of `start`,
-/// whose gain is what they promise, and looks for the size: further numbers stay. `others`: the
-/// best gain of other causes; of one far below it the last is not asked for.
+/// whose gain is what they promise, and looks for the size: further numbers stay.
 QuickFit fitQuickly(Ensemble& ensemble, const Stage& stage, const std::vector<Cause>& causes,
-                    const QuickFit& start, const Effort& effort, double others = 0);
+                    const QuickFit& start, const Effort& effort);
 
 /// All numbers of `start` at once, by ensembles of final_runs. `promised`: the gain that is
 /// expected of its last cause.

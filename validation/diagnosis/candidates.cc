@@ -81,15 +81,12 @@ std::vector<QuickFit> Candidates::startsAt(const Stage& stage, double critical, 
 std::vector<Candidate> Candidates::fittedQuickly(const Stage& stage,
                                                  const std::vector<QuickFit>& starts) {
   std::vector<Candidate> ranking;
-  double best = 0;
   for (const QuickFit& start : starts) {
     if (ensemble_.spent()) {
       not_tried_.push_back(causes_[start.cause].id);
       continue;
     }
-    const QuickFit fit = fitQuickly(ensemble_, stage, causes_, start, effort_, best);
-    best = std::max(best, fit.gain);
-    put(fit, ranking);
+    put(fitQuickly(ensemble_, stage, causes_, start, effort_), ranking);
   }
   sortBest(ranking);
   return ranking;

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <sstream>
 
 #include "core/check.h"
 #include "core/random.h"
-#include "validation/diagnosis/effects_key.h"
 #include "validation/diagnosis/ensemble_tape.h"
 #include "validation/diagnosis/joint_data.h"
 #include "validation/diagnosis/noise_fit.h"
@@ -17,16 +15,6 @@ namespace {
 
 // Of an exact run, in coarse ones: a limb of four joints against a rig.
 constexpr long kExactCost = 40;
-// Of halves() that are remembered, of some 100 kB: fits of one stage begin alike.
-constexpr std::size_t kRemembered = 32;
-
-std::string keyOf(const JointNoise& noise) {
-  std::ostringstream key;
-  key.precision(17);
-  key << noise.torque_sd << ' ' << noise.torque_time << ' ' << noise.start_sd << ' '
-      << noise.quantum << ' ' << noise.jitter;
-  return key.str();
-}
 
 }  // namespace
 
@@ -73,7 +61,7 @@ Eigen::VectorXd RunPool::measuredAgain(const JointData& data, std::uint64_t seed
 
 Ensemble::Ensemble(const JointSimulator& joint, const JointData& data, const JointNoise& noise,
                    long granted)
-    : joint_(joint), data_(data), noise_(noise), granted_(granted), known_(kRemembered) {}
+    : joint_(joint), data_(data), noise_(noise), granted_(granted) {}
 
 void Ensemble::learnNoise(const std::vector<EffectSetting>& causes) {
   noise_ = fitNoise(joint_, noise_, withGiven(causes));
@@ -91,45 +79,23 @@ Eigen::VectorXd Ensemble::recalled(const std::function<Eigen::VectorXd()>& simul
   return result;
 }
 
-// Without a second list the joint's neighbours meet what the joint itself does.
 Halves Ensemble::halves(const std::vector<EffectSetting>& causes, int runs) {
-  const std::vector<EffectSetting> all = withGiven(causes);
-  const auto key = keyOf(static_cast<std::size_t>(runs), all) + '/' + keyOf(noise_);
-  const auto run = [&](std::size_t motion, std::uint64_t stream) {
-    return joint_.coarse().run(all, motion, stream, noise_);
-  };
-  return *known_.get(key, [&] { return halvesOf(run, runs); });
-}
-
-Halves Ensemble::halvesBeside(const std::vector<EffectSetting>& like,
-                              const std::vector<EffectSetting>& causes, int runs) {
-  return halvesOf(runBeside(withGiven(like), withGiven(causes)), runs);
+  return halvesOf(joint_.coarse(), causes, runs);
 }
 
 Halves Ensemble::roughHalves(const std::vector<EffectSetting>& causes, int runs) {
-  return halvesOf(roughRun(causes), runs);
+  return halvesOf(joint_.rough(), causes, runs);
 }
 
-Ensemble::Run Ensemble::roughRun(const std::vector<EffectSetting>& causes) const {
-  return runBeside({}, withGiven(causes));
-}
-
-Ensemble::Run Ensemble::runBeside(std::vector<EffectSetting> like,
-                                  std::vector<EffectSetting> causes) const {
-  return [this, like = std::move(like), causes = std::move(causes)](std::size_t motion,
-                                                                    std::uint64_t stream) {
-    return joint_.coarse().runBeside(like, causes, motion, stream, noise_);
-  };
-}
-
-Halves Ensemble::halvesOf(const Run& run, int runs) {
+Halves Ensemble::halvesOf(const JointSimulator& joint, const std::vector<EffectSetting>& causes,
+                          int runs) {
   NAO_CHECK(runs % 2 == 0 && runs > 0);
-  return {recalled([&] { return meanOf(run, 0, runs, 2); }),
-          recalled([&] { return meanOf(run, 1, runs, 2); })};
+  return {recalled([&] { return meanOf(joint, causes, 0, runs, 2); }),
+          recalled([&] { return meanOf(joint, causes, 1, runs, 2); })};
 }
 
 Eigen::VectorXd Ensemble::rough(const std::vector<EffectSetting>& causes) {
-  return recalled([&] { return meanOf(roughRun(causes), 0, 1, 1); });
+  return recalled([&] { return meanOf(joint_.rough(), causes, 0, 1, 1); });
 }
 
 Eigen::VectorXd Ensemble::roughOf(const std::vector<EffectSetting>& causes,
@@ -137,19 +103,22 @@ Eigen::VectorXd Ensemble::roughOf(const std::vector<EffectSetting>& causes,
   return recalled([&]() -> Eigen::VectorXd {
     ++used_;
     const std::uint64_t stream = streamOf(StreamUse::Mean, span.motion, 0);
-    return roughRun(causes)(span.motion, stream).reshaped();
+    return joint_.rough().run(withGiven(causes), span.motion, stream, noise_).reshaped();
   });
 }
 
 // Of every `every`-th of the runs 0 to `runs` - 1, from the `first` on.
-Eigen::VectorXd Ensemble::meanOf(const Run& run, int first, int runs, int every) {
+Eigen::VectorXd Ensemble::meanOf(const JointSimulator& joint,
+                                 const std::vector<EffectSetting>& causes, int first, int runs,
+                                 int every) {
+  const std::vector<EffectSetting> all = withGiven(causes);
   const int count = (runs - first + every - 1) / every;
   std::vector<Eigen::MatrixXd> means;
   for (const MotionSpan& span : data_.spans()) {
     const std::size_t m = span.motion;
-    Eigen::MatrixXd sum = run(m, streamOf(StreamUse::Mean, m, first));
+    Eigen::MatrixXd sum = joint.run(all, m, streamOf(StreamUse::Mean, m, first), noise_);
     for (int r = first + every; r < runs; r += every) {
-      sum += run(m, streamOf(StreamUse::Mean, m, r));
+      sum += joint.run(all, m, streamOf(StreamUse::Mean, m, r), noise_);
     }
     means.push_back(sum / count);
     used_ += count;

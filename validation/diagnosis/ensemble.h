@@ -7,7 +7,6 @@
 
 #include <Eigen/Core>
 
-#include "core/memo.h"
 #include "validation/diagnosis/halves.h"
 #include "validation/diagnosis/joint_simulator.h"
 
@@ -50,13 +49,9 @@ class Ensemble {
 
   /// Mean of `runs` runs per motion in coarse steps, an even number, by the runs of even and of odd
   /// streams, to subtract from another of as many: the same random numbers for every list of
-  /// causes. The newest are remembered and cost nothing.
+  /// causes.
   Halves halves(const std::vector<EffectSetting>& causes, int runs);
-  /// The same where neighbours do what they would with the causes `like`, for what differs from
-  /// them in numbers alone: JointSimulator::runBeside. A tenth of the cost.
-  Halves halvesBeside(const std::vector<EffectSetting>& like,
-                      const std::vector<EffectSetting>& causes, int runs);
-  /// The same where neighbours do what they would without causes, and of one such run.
+  /// The same of rough runs, and of one rough run.
   Halves roughHalves(const std::vector<EffectSetting>& causes, int runs);
   Eigen::VectorXd rough(const std::vector<EffectSetting>& causes);
   /// Of one motion alone.
@@ -87,14 +82,11 @@ class Ensemble {
   bool spent() const { return used_ >= granted_; }
 
  private:
-  using Run = std::function<Eigen::MatrixXd(std::size_t motion, std::uint64_t stream)>;
-
   Eigen::VectorXd recalled(const std::function<Eigen::VectorXd()>& simulate);
   RunPool simulatedPool(const std::vector<EffectSetting>& causes, int runs);
-  Run roughRun(const std::vector<EffectSetting>& causes) const;
-  Run runBeside(std::vector<EffectSetting> like, std::vector<EffectSetting> causes) const;
-  Halves halvesOf(const Run& run, int runs);
-  Eigen::VectorXd meanOf(const Run& run, int first, int runs, int every);
+  Halves halvesOf(const JointSimulator& joint, const std::vector<EffectSetting>& causes, int runs);
+  Eigen::VectorXd meanOf(const JointSimulator& joint, const std::vector<EffectSetting>& causes,
+                         int first, int runs, int every);
   std::vector<EffectSetting> withGiven(const std::vector<EffectSetting>& causes) const;
 
   const JointSimulator& joint_;
@@ -102,7 +94,6 @@ class Ensemble {
   JointNoise noise_;
   std::vector<EffectSetting> given_;
   long granted_, used_ = 0;
-  Memo<Halves> known_;
   EnsembleTape* tape_ = nullptr;
   std::function<void(long)> watch_;
 };

@@ -56,14 +56,9 @@ class JointSimulator {
   /// falls out. Streams of even and of odd numbers share no chance.
   virtual const JointSimulator& coarse() const { return *this; }
 
-  /// As run(), but neighbours do to the joint what they would with the causes `like`, whose effects
-  /// stand in the same places of the list; causes that act on masses or between motor and link, and
-  /// places that `like` does not have, are as in `causes` or left out. Cheap, if `like` was seen.
-  virtual Eigen::MatrixXd runBeside(const std::vector<EffectSetting>& /*like*/,
-                                    const std::vector<EffectSetting>& causes, std::size_t motion,
-                                    std::uint64_t stream, const JointNoise& noise) const {
-    return run(causes, motion, stream, noise);
-  }
+  /// As coarse(), but neighbours do to the joint what they would without causes, as long as these
+  /// do not act on masses or between motor and link: for looks at what may be worth a fit.
+  virtual const JointSimulator& rough() const { return coarse(); }
 
   /// The same joint without what run() approximates, ten times as slow: for what is compared with
   /// the measurement.

@@ -13,8 +13,8 @@ using Residual = std::function<Eigen::VectorXd(const std::vector<double>&)>;
 // Remembers the last place asked for, as Ceres asks for value and derivatives apart.
 class Differences {
  public:
-  Differences(const Residual& residual, const ResidualBeside& beside, const FitSpace& space)
-      : residual_(residual), beside_(beside), space_(space) {}
+  Differences(const Residual& residual, const FitSpace& space)
+      : residual_(residual), space_(space) {}
 
   const Eigen::VectorXd& at(const std::vector<double>& x) {
     if (x != x_) {
@@ -34,7 +34,7 @@ class Differences {
       std::vector<double> beside = x;
       beside[i] += differenceStep(space_, i, x[i]);
       jacobian_.col(static_cast<Eigen::Index>(i)) =
-          (beside_(x, beside) - value_) / (beside[i] - x[i]);
+          (residual_(beside) - value_) / (beside[i] - x[i]);
       ++evaluations_;
     }
     has_jacobian_ = true;
@@ -45,7 +45,6 @@ class Differences {
 
  private:
   const Residual& residual_;
-  const ResidualBeside& beside_;
   const FitSpace& space_;
   std::vector<double> x_;
   Eigen::VectorXd value_;
@@ -111,8 +110,8 @@ FitPoint evaluated(Eigen::VectorXd residual) {
 }
 
 // All numbers free.
-FitPoint solve(const Residual& residual, const ResidualBeside& beside, const FitSpace& space) {
-  Differences differences(residual, beside, space);
+FitPoint solve(const Residual& residual, const FitSpace& space) {
+  Differences differences(residual, space);
   std::vector<double> x = space.start;
   for (std::size_t i = 0; i < x.size(); ++i)
     x[i] = std::clamp(x[i], space.lower[i], space.upper[i]);
@@ -138,14 +137,6 @@ FitPoint solve(const Residual& residual, const ResidualBeside& beside, const Fit
 }  // namespace
 
 FitPoint leastSquares(const Residual& residual, const FitSpace& space) {
-  const auto same = [&](const std::vector<double>&, const std::vector<double>& beside) {
-    return residual(beside);
-  };
-  return leastSquares(residual, same, space);
-}
-
-FitPoint leastSquares(const Residual& residual, const ResidualBeside& beside,
-                      const FitSpace& space) {
   std::vector<std::size_t> free;
   FitSpace varied;  // Ceres takes no number whose bounds meet
   varied.iterations = space.iterations;
@@ -157,18 +148,14 @@ FitPoint leastSquares(const Residual& residual, const ResidualBeside& beside,
     varied.upper.push_back(space.upper[i]);
     varied.step.push_back(space.step[i]);
   }
-  if (free.size() == space.start.size()) return solve(residual, beside, space);
+  if (free.size() == space.start.size()) return solve(residual, space);
   const auto whole = [&](const std::vector<double>& x) {
     std::vector<double> all = space.start;
     for (std::size_t i = 0; i < free.size(); ++i) all[free[i]] = x[i];
     return all;
   };
-  const auto free_residual = [&](const auto& x) { return residual(whole(x)); };
-  const auto free_beside = [&](const auto& x, const auto& near) {
-    return beside(whole(x), whole(near));
-  };
-  FitPoint found =
-      free.empty() ? evaluated(residual(space.start)) : solve(free_residual, free_beside, varied);
+  FitPoint found = free.empty() ? evaluated(residual(space.start))
+                                : solve([&](const auto& x) { return residual(whole(x)); }, varied);
   const Eigen::MatrixXd slopes = found.jacobian;
   found.jacobian =
       Eigen::MatrixXd::Zero(found.residual.size(), static_cast<Eigen::Index>(space.start.size()));

@@ -34,12 +34,4 @@ struct FitPoint {
 FitPoint leastSquares(const std::function<Eigen::VectorXd(const std::vector<double>&)>& residual,
                       const FitSpace& space);
 
-/// The residual near `x`, at `beside`, as far as a slope needs it.
-using ResidualBeside =
-    std::function<Eigen::VectorXd(const std::vector<double>& x, const std::vector<double>& beside)>;
-
-/// The same where slopes are had more cheaply than residuals: `beside(x, x)` is `residual(x)`.
-FitPoint leastSquares(const std::function<Eigen::VectorXd(const std::vector<double>&)>& residual,
-                      const ResidualBeside& beside, const FitSpace& space);
-
 }  // namespace nao::validation

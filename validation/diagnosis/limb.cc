@@ -1,5 +1,7 @@
 #include "validation/diagnosis/limb.h"
 
+#include <sstream>
+
 #include "validation/diagnosis/noise_fit.h"
 #include "validation/diagnosis/rig_simulator.h"
 #include "validation/suspended.h"
@@ -30,6 +32,18 @@ RobotModel limbOf(const RigSet& set, Joint joint) {
 }
 
 }  // namespace
+
+std::string keyOf(std::size_t motion, const std::vector<EffectSetting>& effects) {
+  std::ostringstream key;
+  key.precision(17);
+  key << motion;
+  for (const EffectSetting& effect : effects) {
+    key << '|' << effect.name;
+    for (const auto& [name, value] : effect.parameters) key << ' ' << name << '=' << value;
+    for (const Joint joint : effect.joints) key << ' ' << index(joint);
+  }
+  return key.str();
+}
 
 Limb::Limb(const RigSet& set, Joint joint_of_robot)
     : set_(set),

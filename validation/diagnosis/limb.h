@@ -45,4 +45,7 @@ class Limb {
   Joint joint_;
 };
 
+/// A name that two lists of effects in one motion share only if they are the same.
+std::string keyOf(std::size_t motion, const std::vector<EffectSetting>& effects);
+
 }  // namespace nao::validation

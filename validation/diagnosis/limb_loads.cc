@@ -1,14 +1,13 @@
 #include "validation/diagnosis/limb_loads.h"
 
 #include "sim/effects/coupled_stop.h"
-#include "validation/diagnosis/effects_key.h"
 #include "validation/diagnosis/rig_simulator.h"
 
 namespace nao::validation {
 namespace {
 
 // Lists of effects, times motions, that are remembered: a load of 6 s takes 200 kB.
-constexpr std::size_t kRemembered = 96;
+constexpr std::size_t kRemembered = 48;
 
 std::vector<Joint> limitersOf(const RobotModel& limb, Joint joint) {
   std::vector<Joint> others;

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "sim/hinge_run.h"
-#include "validation/diagnosis/effects_key.h"
 #include "validation/diagnosis/rig_simulator.h"
 #include "validation/diagnosis/run_noise.h"
 #include "validation/diagnosis/smooth_motion.h"

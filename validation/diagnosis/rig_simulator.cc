@@ -39,26 +39,18 @@ bool partsLinkFromMotor(const std::string& effect) {
   return effect == "backlash" || effect == "gear_compliance";
 }
 
-// Whether a cause acts on the load itself.
-bool isLoading(const EffectSetting& cause, const sim::EffectCatalogue& catalogue) {
-  const sim::EffectType* type = catalogue.find(cause.name);
-  if (type == nullptr) return false;
-  return sim::reachOf(*type) == sim::JointReach::Load || partsLinkFromMotor(cause.name);
-}
-
-// What neighbours are said to meet: `causes` where they act on the load, else `like`.
-std::vector<EffectSetting> seenByNeighbours(const std::vector<EffectSetting>& causes,
-                                            const std::vector<EffectSetting>& like,
-                                            const sim::EffectCatalogue& catalogue) {
-  std::vector<EffectSetting> seen;
-  for (std::size_t i = 0; i < causes.size(); ++i) {
-    if (isLoading(causes[i], catalogue)) {
-      seen.push_back(causes[i]);
-    } else if (i < like.size() && like[i].name == causes[i].name) {
-      seen.push_back(like[i]);
+// Causes that act on the load itself.
+std::vector<EffectSetting> loadingOf(const std::vector<EffectSetting>& causes,
+                                     const sim::EffectCatalogue& catalogue) {
+  std::vector<EffectSetting> kept;
+  for (const EffectSetting& cause : causes) {
+    const sim::EffectType* type = catalogue.find(cause.name);
+    if (type == nullptr) continue;
+    if (sim::reachOf(*type) == sim::JointReach::Load || partsLinkFromMotor(cause.name)) {
+      kept.push_back(cause);
     }
   }
-  return seen;
+  return kept;
 }
 
 }  // namespace
@@ -78,7 +70,8 @@ RigSimulator::RigSimulator(std::shared_ptr<const RigSet> set, Joint joint)
   addRigs();
   exact_ = std::make_unique<LimbSimulator>(limb_, measured_);
   const Duration coarse = std::max(step_, set_->coarseStep());
-  coarse_.reset(new RigSimulator(*this, coarse, Loads::Drawn));
+  if (coarse > step_) coarse_.reset(new RigSimulator(*this, coarse, Loads::Drawn));
+  rough_.reset(new RigSimulator(*this, coarse, Loads::OfMassOnly));
 }
 
 RigSimulator::RigSimulator(const RigSimulator& fine, Duration step, Loads of)
@@ -102,6 +95,11 @@ void RigSimulator::addRigs() {
 }
 
 RigSimulator::~RigSimulator() = default;
+
+const JointSimulator& RigSimulator::rough() const {
+  if (rough_) return *rough_;
+  return *this;
+}
 
 const JointSimulator& RigSimulator::exact() const {
   if (exact_) return *exact_;
@@ -135,28 +133,16 @@ std::shared_ptr<const sim::JointLoad> RigSimulator::loadOf(const std::vector<Eff
                                                            std::size_t motion, std::uint64_t stream,
                                                            const JointNoise& noise) const {
   const bool drawn = loads_of_ != Loads::Quiet && noise.torque_sd > 0;
-  return loads_->get(motion, set_->effectsWith(causes, set_->motions()[motion]),
+  const std::vector<EffectSetting> seen =
+      loads_of_ == Loads::OfMassOnly ? loadingOf(causes, set_->catalogue()) : causes;
+  return loads_->get(motion, set_->effectsWith(seen, set_->motions()[motion]),
                      drawn ? 1 + stream % 2 : 0, noise);
 }
 
 Eigen::MatrixXd RigSimulator::run(const std::vector<EffectSetting>& causes, std::size_t motion,
                                   std::uint64_t stream, const JointNoise& noise) const {
-  return runUnder(*loadOf(causes, motion, stream, noise), causes, motion, stream, noise);
-}
-
-Eigen::MatrixXd RigSimulator::runBeside(const std::vector<EffectSetting>& like,
-                                        const std::vector<EffectSetting>& causes,
-                                        std::size_t motion, std::uint64_t stream,
-                                        const JointNoise& noise) const {
-  const auto load =
-      loadOf(seenByNeighbours(causes, like, set_->catalogue()), motion, stream, noise);
-  return runUnder(*load, causes, motion, stream, noise);
-}
-
-Eigen::MatrixXd RigSimulator::runUnder(const sim::JointLoad& load,
-                                       const std::vector<EffectSetting>& causes, std::size_t motion,
-                                       std::uint64_t stream, const JointNoise& noise) const {
   const std::vector<EffectSetting> effects = set_->effectsWith(causes, set_->motions()[motion]);
+  const auto load = loadOf(causes, motion, stream, noise);
   sim::RigChance chance;
   chance.stream = seedOf(stream, motion);
   chance.torque_sd = noise.torque_sd;
@@ -164,8 +150,8 @@ Eigen::MatrixXd RigSimulator::runUnder(const sim::JointLoad& load,
   chance.lead = (toSeconds(step_) - toSeconds(world_step_)) / 2;
   chance.start = drawLateness(noise, stream, motion, 0.9 * set_->options().settle);
   const sim::JointSignals signals =
-      rigs_[motion].run(effects, orders_[motion], load, chance, fromSeconds(set_->options().settle),
-                        set_->catalogue());
+      rigs_[motion].run(effects, orders_[motion], *load, chance,
+                        fromSeconds(set_->options().settle), set_->catalogue());
   const auto rows = static_cast<Eigen::Index>(signals.angle.size());
   Eigen::MatrixXd result(rows, measured_[motion].repeats.front().cols());
   result.col(0) = Eigen::Map<const Eigen::VectorXd>(signals.angle.data(), rows);

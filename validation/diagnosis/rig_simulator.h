@@ -81,23 +81,20 @@ class RigSimulator final : public JointSimulator {
                       std::uint64_t stream, const JointNoise& noise) const override;
   double present(const std::string& effect, const std::string& parameter) const override;
   bool isCoupled() const override;
-  Eigen::MatrixXd runBeside(const std::vector<EffectSetting>& like,
-                            const std::vector<EffectSetting>& causes, std::size_t motion,
-                            std::uint64_t stream, const JointNoise& noise) const override;
   const JointSimulator& coarse() const override { return coarse_ ? *coarse_ : *this; }
+  const JointSimulator& rough() const override;
   const JointSimulator& exact() const override;
 
  private:
   enum class Loads {
-    Quiet,  // of runs without noise
-    Drawn,  // two draws: runs of even streams have the one, of odd streams the other
+    Quiet,       // of runs without noise
+    Drawn,       // two draws: runs of even streams have the one, of odd streams the other
+    OfMassOnly,  // drawn; causes alter it only if they are masses, play and the like themselves
   };
   RigSimulator(const RigSimulator& fine, Duration step, Loads of);
   std::shared_ptr<const sim::JointLoad> loadOf(const std::vector<EffectSetting>& causes,
                                                std::size_t motion, std::uint64_t stream,
                                                const JointNoise& noise) const;
-  Eigen::MatrixXd runUnder(const sim::JointLoad& load, const std::vector<EffectSetting>& causes,
-                           std::size_t motion, std::uint64_t stream, const JointNoise& noise) const;
   void addRigs();
   JointMotion measuredOf(const GriddedMotion& motion) const;
 
@@ -111,7 +108,7 @@ class RigSimulator final : public JointSimulator {
   std::unique_ptr<LimbLoads> loads_;
   std::unique_ptr<LimbSimulator> exact_;
   Loads loads_of_ = Loads::Quiet;
-  std::unique_ptr<RigSimulator> coarse_;
+  std::unique_ptr<RigSimulator> coarse_, rough_;
 };
 
 }  // namespace nao::validation

@@ -37,12 +37,9 @@ SizeSearch::Point SizeSearch::from(const std::vector<double>& x) const {
   return best.gain > 0 ? followed(best) : best;
 }
 
-SizeSearch::Point SizeSearch::near(const std::vector<double>& x, double least) const {
+SizeSearch::Point SizeSearch::near(const std::vector<double>& x) const {
   const Point best = at(x);
-  if (best.gain <= least || causes_[cause_].beats) return best;
-  SizeSearch around = *this;
-  around.neighbours_ = x;
-  return around.followed(best);
+  return best.gain > 0 && !causes_[cause_].beats ? followed(best) : best;
 }
 
 SizeSearch::Point SizeSearch::at(const std::vector<double>& x) const {
@@ -118,17 +115,14 @@ Response SizeSearch::responseTo(double size) const {
   return {size, stage_.white(changeAt({size})).mean()};
 }
 
-std::vector<EffectSetting> SizeSearch::with(const std::vector<double>& x) const {
-  CauseList model = stage_.model();
-  model.push_back({cause_, x});
-  return settingsOf(causes_, model);
-}
-
 Halves SizeSearch::changeAt(const std::vector<double>& x) const {
-  const int runs = effort_.look_runs;
-  if (runs_ == Runs::Rough) return ensemble_.roughHalves(with(x), runs) - stage_.lookBase();
-  if (neighbours_.empty()) return ensemble_.halves(with(x), runs) - stage_.quickBase();
-  return ensemble_.halvesBeside(with(neighbours_), with(x), runs) - stage_.quickBase();
+  CauseList with = stage_.model();
+  with.push_back({cause_, x});
+  const auto settings = settingsOf(causes_, with);
+  if (runs_ == Runs::Coarse) {
+    return ensemble_.halves(settings, effort_.look_runs) - stage_.quickBase();
+  }
+  return ensemble_.roughHalves(settings, effort_.look_runs) - stage_.lookBase();
 }
 
 }  // namespace nao::validation

@@ -12,7 +12,7 @@ namespace nao::validation {
 class SizeSearch {
  public:
   /// What simulates: coarse runs cost ten times as much as rough ones, as the neighbours' motion is
-  /// calculated for each start, and for each size where that may be far.
+  /// calculated for each size.
   enum class Runs { Rough, Coarse };
 
   struct Point {
@@ -26,8 +26,8 @@ class SizeSearch {
 
   /// The best size that is found from these numbers, as the kind of cause asks for.
   Point from(const std::vector<double>& x) const;
-  /// The best size close to these numbers; these if their gain is not worth `least`.
-  Point near(const std::vector<double>& x, double least = 0) const;
+  /// The best size close to these numbers.
+  Point near(const std::vector<double>& x) const;
 
  private:
   Point at(const std::vector<double>& x) const;
@@ -40,7 +40,6 @@ class SizeSearch {
   Point scaled(const Point& from, double factor) const;
   Response responseTo(double size) const;
   Halves changeAt(const std::vector<double>& x) const;
-  std::vector<EffectSetting> with(const std::vector<double>& x) const;
   const FreeNumber& size() const { return causes_[cause_].free[0]; }
 
   Ensemble& ensemble_;
@@ -50,7 +49,6 @@ class SizeSearch {
   const Effort& effort_;
   Runs runs_;
   Eigen::VectorXd residual_;
-  std::vector<double> neighbours_;  // whose numbers these meet; empty: those of each size
 };
 
 }  // namespace nao::validation

@@ -39,24 +39,6 @@ TEST(LeastSquares, AFixedNumberLeavesTheOthersToFit) {
   EXPECT_NEAR(found.x[1], 1.5, 1e-3);
 }
 
-// A residual that is dear, and slopes that are a tenth too long but cheap.
-TEST(LeastSquares, EndsWhereTheResidualSaysThoughSlopesAreOff) {
-  const FitSpace space{{1, 0.5}, {0, 0}, {10, 10}, {1e-3, 1e-3}, 20};
-  const auto residual = [](const std::vector<double>& x) -> Eigen::VectorXd {
-    return decay(x[0], x[1]) - decay(2, 1.5);
-  };
-  int asked = 0;
-  const FitPoint found = leastSquares(
-      [&](const std::vector<double>& x) { return ++asked, residual(x); },
-      [&](const std::vector<double>& x, const std::vector<double>& beside) -> Eigen::VectorXd {
-        return residual(x) + 1.1 * (residual(beside) - residual(x));
-      },
-      space);
-  EXPECT_NEAR(found.x[0], 2, 1e-3);
-  EXPECT_NEAR(found.x[1], 1.5, 1e-3);
-  EXPECT_LT(asked, found.evaluations / 2);  // the others were for slopes
-}
-
 TEST(LeastSquares, StaysWithinBounds) { EXPECT_NEAR(fit(1.7).x[0], 1.7, 1e-6); }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "tests/support/models.h"
-#include "validation/diagnosis/halves.h"
 #include "validation/diagnosis/noise_fit.h"
 #include "validation/diagnosis/replay.h"
 #include "validation/log/simulated_recording.h"
@@ -173,65 +172,6 @@ TEST(RigSimulator, DrawsByStreamAloneWhateverTheCauses) {
   const double by_cause = (angles({gain}, 3) - angles({}, 3)).norm();
   const double by_stream = (angles({}, 4) - angles({}, 3)).norm();
   EXPECT_LT(by_cause, 0.5 * by_stream);
-}
-
-// What a joint's number, 0.03 to either side of -0.2 of its gain, changes on the mean of 32 runs:
-// by runs of even and of odd streams.
-Halves slopeOf(const Recorded& robot, const char* joint, bool loads_of_their_own) {
-  const RigSimulator simulator(robot.set, *robot.model->findJoint(joint));
-  const auto gain = [&](double part) {
-    return std::vector<EffectSetting>{robot.effect("kp_error", {{"part", part}}, joint)};
-  };
-  const auto angle = [&](double part, std::uint64_t stream) -> Eigen::VectorXd {
-    const JointSimulator& coarse = simulator.coarse();
-    if (loads_of_their_own) return coarse.run(gain(part), 1, stream, kNoise).col(0);
-    return coarse.runBeside(gain(-0.2), gain(part), 1, stream, kNoise).col(0);
-  };
-  std::vector<Eigen::VectorXd> half(2);
-  for (std::uint64_t stream = 0; stream < 32; ++stream) {
-    const Eigen::VectorXd slope = (angle(-0.17, stream) - angle(-0.23, stream)) / (16 * 0.06);
-    Eigen::VectorXd& sum = half[stream % 2];
-    sum = sum.size() == 0 ? slope : sum + slope;
-  }
-  return {half[0], half[1]};
-}
-
-// Measured: a knee's slopes are 5 % apart, most of it the chance of either, whose halves are 5 and
-// 6 % off.
-TEST(RigSimulator, ANumberChangesLittleForTheNeighbours) {
-  const Recorded leg("LKneePitch");
-  const Eigen::VectorXd own = slopeOf(leg, "LKneePitch", true).mean();
-  EXPECT_LT((slopeOf(leg, "LKneePitch", false).mean() - own).norm(), 0.1 * own.norm());
-}
-
-// On a hip all of the leg hangs, whose joints rattle another way for every change: halves of its
-// slopes were a fifth off, beside the same neighbours a twelfth.
-TEST(RigSimulator, SlopesBesideTheSameNeighboursHaveLessChance) {
-  const Recorded leg("LHipPitch");
-  const auto chance = [&](bool own) {
-    const Halves slope = slopeOf(leg, "LHipPitch", own);
-    return (slope.first - slope.second).norm() / (2 * slope.mean().norm());
-  };
-  EXPECT_LT(chance(false), 0.7 * chance(true));
-}
-
-TEST(RigSimulator, BesideItselfANumberIsAsAlone) {
-  const Recorded head("HeadPitch");
-  const RigSimulator simulator(head.set, *head.model->findJoint("HeadPitch"));
-  const std::vector<EffectSetting> gain = {head.effect("kp_error", {{"part", -0.2}}, "HeadPitch")};
-  EXPECT_EQ(simulator.coarse().runBeside(gain, gain, 0, 1, kNoise),
-            simulator.coarse().run(gain, 0, 1, kNoise));
-}
-
-TEST(RigSimulator, LoadsAreOfACauseThatActsOnThemWhateverIsBeside) {
-  const Recorded arm("LElbowRoll");
-  const RigSimulator simulator(arm.set, *arm.model->findJoint("LShoulderPitch"));
-  const auto payload = [&](double mass) {
-    return std::vector<EffectSetting>{
-        arm.effect("payload", {{"mass", mass}, {"x", 0.1}}, "LElbowRoll")};
-  };
-  EXPECT_EQ(simulator.runBeside(payload(0.1), payload(0.3), 0, 1, kNoise),
-            simulator.run(payload(0.3), 0, 1, kNoise));
 }
 
 // Three sets of two motions of six runs: their starts are drawn 36 times, which tells an SD to 13
