@@ -152,15 +152,15 @@ bool isBestSeen(const Start& start, const std::vector<Start>& starts) {
 QuickFit fitQuickly(Ensemble& ensemble, const Stage& stage, const std::vector<Cause>& causes,
                     const QuickFit& start, const Effort& effort) {
   const auto& [cause, x, promised] = start;
-  if (const Look* look = widerLook(stage, causes, cause, x)) {
-    const Explained explained(look->white, stage.white(stage.raw()));
-    const double gain = explained.gain(x[0] / look->x[0]);
-    if (gain > kKept * promised) return {cause, x, gain};
-  }
   const auto search = [&, cause = start.cause](SizeSearch::Runs runs) {
     return SizeSearch(ensemble, stage, causes, cause, effort, runs);
   };
   const SizeSearch::Point rough = search(SizeSearch::Runs::Rough).from(x);
+  if (const Look* look = widerLook(stage, causes, cause, x)) {
+    const Explained explained(look->white, stage.white(stage.raw()));
+    const double gain = explained.gain(x[0] / look->x[0]);
+    if (gain > std::max(kKept * promised, rough.gain)) return {cause, x, gain};
+  }
   const SizeSearch fine = search(SizeSearch::Runs::Coarse);
   SizeSearch::Point best = fine.near(rough.x);
   if (best.gain < kKept * rough.gain) {  // misled: neighbours matter

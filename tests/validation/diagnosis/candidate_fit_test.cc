@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/random.h"
@@ -13,10 +14,11 @@ namespace {
 
 constexpr JointNoise kNoNoise{};
 
-// A joint that damping drags along: by as much as there is up to 0.1, then it cannot follow at all.
+// A joint that damping drags along: by as much as there is up to a bend, then it cannot follow at
+// all and shakes.
 class BendingJoint final : public JointSimulator {
  public:
-  explicit BendingJoint(double damping) {
+  BendingJoint(double damping, double bend) : bend_(bend) {
     for (std::size_t m = 0; m < 3; ++m) {
       JointMotion motion{
           "motion" + std::to_string(m), m < 2 ? Split::Fit : Split::Select, 0.01, {}};
@@ -37,22 +39,26 @@ class BendingJoint final : public JointSimulator {
   }
 
  private:
-  static Eigen::MatrixXd angle(double damping, std::size_t motion, std::uint64_t stream) {
+  Eigen::MatrixXd angle(double damping, std::size_t motion, std::uint64_t stream) const {
     Random random(stream, "bending");
-    const double dragged = damping < 0.1 ? damping : 0.1 + 20 * (damping - 0.1);
+    const double shaken = 20 * std::max(0.0, damping - bend_), dragged = damping + shaken;
     Eigen::MatrixXd angle(300, 1);
     for (Eigen::Index k = 0; k < angle.rows(); ++k) {
       const double t = 0.01 * static_cast<double>(k), w = 2 + static_cast<double>(motion);
-      angle(k, 0) = std::sin(w * t) - 0.1 * dragged * std::cos(w * t) + 1e-3 * random.normal();
+      angle(k, 0) = std::sin(w * t) - 0.1 * dragged * std::cos(w * t) -
+                    0.1 * shaken * std::cos(3 * w * t) + 1e-3 * random.normal();
     }
     return angle;
   }
 
+  double bend_;
   std::vector<JointMotion> measured_;
 };
 
 class DampedJoint : public testing::Test {
  protected:
+  explicit DampedJoint(double damping = 0.08, double bend = 0.1) : joint_(damping, bend) {}
+
   static std::vector<Cause> damping() {
     for (const Cause& cause : jointCauses()) {
       if (cause.id == "viscous_friction") return {cause};
@@ -64,7 +70,7 @@ class DampedJoint : public testing::Test {
     return causes;
   }
 
-  BendingJoint joint_{0.08};
+  BendingJoint joint_;
   std::vector<Cause> causes_ = bounded(damping(), joint_);
   Effort effort_;
   JointData data_{joint_, kNoNoise};
@@ -90,6 +96,19 @@ TEST_F(DampedJoint, NorInAFullFit) {
 TEST_F(DampedJoint, FromTwiceTheSizeAFitComesBack) {
   const QuickFit fit = fitQuickly(ensemble_, stage_, causes_, {0, {0.16}, start_.gain}, effort_);
   EXPECT_NEAR(fit.x[0], 0.08, 0.005);
+}
+
+// Every look is beyond the bend.
+class LightlyDampedJoint : public DampedJoint {
+ protected:
+  LightlyDampedJoint() : DampedJoint(0.0075, 0.01) {}
+};
+
+TEST_F(LightlyDampedJoint, WhatASizeDoesItselfCountsIfItIsMoreThanALargerLookMakesOfIt) {
+  ASSERT_LT(start_.x[0], 0.001);
+  const QuickFit fit = fitQuickly(ensemble_, stage_, causes_, start_, effort_);
+  EXPECT_NEAR(fit.x[0], 0.0075, 0.0005);
+  EXPECT_GT(fit.gain, 1.5 * start_.gain);
 }
 
 }  // namespace
