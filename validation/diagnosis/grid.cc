@@ -30,6 +30,9 @@ Samples sampled(const LogRun& run, const Column& column) {
 // A time of the grid and of the file are the same if they differ by less than this [s].
 constexpr double kSame = 1e-7;
 
+constexpr double kLate = 0.25;     // [s] of a first row from a motion's begin
+constexpr double kMostRows = 100;  // of the grid, for one of the file; free choice
+
 // What was sent last at every time of the grid.
 Values held(const Samples& from, std::size_t rows, double dt) {
   Values values;
@@ -74,22 +77,41 @@ class Gridder {
   std::vector<GriddedMotion> all() const {
     std::vector<GriddedMotion> motions;
     for (const LogRun& run : set_.runs) {
-      if (run.t.size() < 2) throw InputError(run.file + ": expected at least two rows");
+      checkTimes(run);
       auto at = std::find_if(motions.begin(), motions.end(),
-                             [&](const GriddedMotion& m) { return m.motion == run.motion; });
+                             [&](const GriddedMotion& m) { return isOf(run, m); });
       if (at == motions.end()) at = motions.insert(motions.end(), started(run));
       checkAlike(*at, run);
       at->rows = std::min(at->rows, rowsOf(run));
     }
     for (GriddedMotion& motion : motions) {
       for (const LogRun& run : set_.runs) {
-        if (run.motion == motion.motion) motion.runs.push_back(gridded(run, motion));
+        if (isOf(run, motion)) motion.runs.push_back(gridded(run, motion));
       }
     }
     return motions;
   }
 
  private:
+  // One motion alone may be split by runs.
+  static bool isOf(const LogRun& run, const GriddedMotion& motion) {
+    return run.motion == motion.motion && run.split == motion.split;
+  }
+
+  void checkTimes(const LogRun& run) const {
+    const std::string file = set_.name + ", " + run.file;
+    if (run.t.size() < 2) throw InputError(file + ": expected at least two rows");
+    if (!(std::abs(run.t.front()) <= kLate)) {
+      throw InputError(file + ": expected times from the begin of the motion on, found " +
+                       std::to_string(run.t.front()) + " s in its first row");
+    }
+    if (!(run.t.back() * set_.rate < kMostRows * static_cast<double>(run.t.size()))) {
+      throw InputError(file + ": expected about a row every " + std::to_string(1 / set_.rate) +
+                       " s, found " + std::to_string(run.t.size()) + " rows in " +
+                       std::to_string(run.t.back()) + " s");
+    }
+  }
+
   std::size_t rowsOf(const LogRun& run) const {
     return static_cast<std::size_t>(std::floor(run.t.back() * set_.rate + 1e-4)) + 1;
   }
@@ -110,8 +132,8 @@ class Gridder {
     const bool loads_alike =
         motion.load.has_value() == run.load.has_value() &&
         (!run.load || (motion.load->mass == run.load->mass && motion.load->link == run.load->link));
-    if (motion.split == run.split && motion.kp_scale == run.kp_scale && loads_alike) return;
-    throw InputError(run.file + ": expected the split, gain and load of the other runs of '" +
+    if (motion.kp_scale == run.kp_scale && loads_alike) return;
+    throw InputError(run.file + ": expected the gain and load of the other runs of '" +
                      run.motion + "'");
   }
 

@@ -11,8 +11,8 @@
 
 namespace nao::validation {
 
-/// All runs of one motion of a set on one grid of times, 0, dt, 2 dt ... to the end of the shortest
-/// run, in the model's own angles (axis signs and zeros of the set undone).
+/// All runs of one motion and split of a set on one grid of times, 0, dt, 2 dt ... to the end of
+/// the shortest run, in the model's own angles (axis signs and zeros of the set undone).
 struct GriddedMotion {
   std::string motion;
   Split split = Split::Fit;
@@ -30,8 +30,9 @@ struct GriddedMotion {
 };
 
 /// The motions of a set, in the order of their first runs, on grids of the set's nominal rate.
-/// @throws InputError for a joint that the model does not have, and for runs of one motion that
-/// differ in split, gain or load.
+/// @throws InputError for a joint that the model does not have, for runs of one motion that
+/// differ in gain or load, and for a run whose times do not begin about 0 or leave no rows to speak
+/// of.
 std::vector<GriddedMotion> griddedMotions(const LogSet& set, const RobotModel& model);
 
 }  // namespace nao::validation

@@ -1,5 +1,6 @@
 // CSV files of others: Poppy's in degrees, and logs of NAOqi's ALMemory keys.
 #include <cmath>
+#include <filesystem>
 
 #include "core/check.h"
 #include "validation/log/convert_formats.h"
@@ -68,6 +69,33 @@ LogRun cutSegment(const CsvTable& table, const std::vector<double>& t, std::size
   return run;
 }
 
+LogRun memoryRun(const std::string& file) {
+  const CsvTable table = readTable(file);
+  LogRun run;
+  run.motion = std::filesystem::path(file).stem().stem().string();
+  run.file = "run_" + run.motion + ".csv";
+  run.t = table.columns.front();
+  for (double& time : run.t) time -= table.columns.front().front();
+  for (std::size_t c = 1; c < table.names.size(); ++c) {
+    const auto found = findMemoryColumn(table.names[c]);
+    if (found) run.columns[found->column] = cut(table.columns[c], 0, run.t.size(), found->scale);
+  }
+  if (run.columns.empty()) {
+    throw InputError(file +
+                     ": row 1: expected keys such as "
+                     "Device/SubDeviceList/HeadYaw/Position/Sensor/Value, found none");
+  }
+  return run;
+}
+
+// Each run is a motion of its own: the last one is for the test, the one before to select.
+void splitByOrder(LogSet& set) {
+  for (std::size_t r = 0; r < set.runs.size() && set.runs.size() > 1; ++r) {
+    const std::size_t left = set.runs.size() - r;
+    set.runs[r].split = left == 1 ? Split::Test : left == 2 ? Split::Select : Split::Fit;
+  }
+}
+
 }  // namespace
 
 LogSet convertPoppy(const std::string& from) {
@@ -86,36 +114,20 @@ LogSet convertPoppy(const std::string& from) {
     begin = i;
   }
   if (set.runs.empty()) throw InputError(file + ": expected segments of two rows or more");
-  for (std::size_t r = 0; r < set.runs.size(); ++r) {
-    const std::size_t left = set.runs.size() - r;
-    set.runs[r].split = left == 1 ? Split::Test : left == 2 ? Split::Select : Split::Fit;
-  }
+  splitByOrder(set);
   addJoints(set);
   set.rate = calcRate(set);
   return set;
 }
 
 LogSet convertMemory(const std::string& from) {
-  const std::string file = listLogFiles(from).front();
-  const CsvTable table = readTable(file);
   LogSet set;
   set.name = "ALMemory log";
-  set.source = "converted from a log of ALMemory keys";
+  set.source = "converted from logs of ALMemory keys";
   set.robot = "nao_h21_v33";
   set.clock = {"host", "executed", "received"};
-  LogRun& run = set.runs.emplace_back();
-  run.file = "run_0.csv";
-  run.motion = "log";
-  run.t = table.columns.front();
-  for (std::size_t c = 1; c < table.names.size(); ++c) {
-    const auto found = findMemoryColumn(table.names[c]);
-    if (found) run.columns[found->column] = cut(table.columns[c], 0, run.t.size(), found->scale);
-  }
-  if (run.columns.empty()) {
-    throw InputError(file +
-                     ": row 1: expected keys such as "
-                     "Device/SubDeviceList/HeadYaw/Position/Sensor/Value, found none");
-  }
+  for (const std::string& file : listLogFiles(from)) set.runs.push_back(memoryRun(file));
+  splitByOrder(set);
   addJoints(set);
   set.rate = calcRate(set);
   return set;

@@ -21,11 +21,17 @@ string_view takeLine(string_view& text) {
   return line;
 }
 
+string_view trimmed(string_view cell) {
+  const std::size_t from = cell.find_first_not_of(' ');
+  if (from == string_view::npos) return {};
+  return cell.substr(from, cell.find_last_not_of(' ') + 1 - from);
+}
+
 std::vector<string_view> split(string_view line) {
   std::vector<string_view> cells;
   for (;;) {
     const std::size_t comma = line.find(',');
-    cells.push_back(line.substr(0, comma));
+    cells.push_back(trimmed(line.substr(0, comma)));
     if (comma == string_view::npos) return cells;
     line.remove_prefix(comma + 1);
   }

@@ -5,17 +5,6 @@
 
 namespace nao::validation {
 
-double calcMedianStep(const std::vector<double>& t) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < t.size(); ++i) {
-    if (t[i] > t[i - 1]) steps.push_back(t[i] - t[i - 1]);
-  }
-  if (steps.empty()) return 0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
-}
-
 std::vector<double> resample(const std::vector<double>& t, const Column& values, double dt) {
   std::vector<std::size_t> known;
   for (std::size_t i = 0; i < t.size(); ++i) {
@@ -24,7 +13,9 @@ std::vector<double> resample(const std::vector<double>& t, const Column& values,
   }
   std::vector<double> even;
   if (known.size() < 2 || !(dt > 0)) return even;
-  const auto rows = static_cast<std::size_t>((t[known.back()] - t.front()) / dt + 1e-6) + 1;
+  const double steps = (t[known.back()] - t.front()) / dt;
+  if (!(steps < 100 * static_cast<double>(t.size()))) return even;  // a clock that jumped
+  const auto rows = static_cast<std::size_t>(steps + 1e-6) + 1;
   std::size_t k = 1;
   for (std::size_t row = 0; row < rows; ++row) {
     const double time = t.front() + static_cast<double>(row) * dt;

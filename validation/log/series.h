@@ -8,11 +8,8 @@
 // A joint's signals on an even grid of time, and how alike two of them are.
 namespace nao::validation {
 
-/// The median step of rising times [s]; 0 for fewer than two.
-double calcMedianStep(const std::vector<double>& t);
-
 /// `values` at 0, dt, 2 dt ... after the first time, linear between samples; NaNs are bridged.
-/// Empty if less than two are known.
+/// Empty if less than two are known, or if they are a hundred times rarer than that.
 std::vector<double> resample(const std::vector<double>& t, const Column& values, double dt);
 
 /// Sums for a coefficient of correlation over several pieces, each about its own mean.

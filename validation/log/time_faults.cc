@@ -27,6 +27,14 @@ void checkOrder(const LogRun& run, FaultLog& log) {
            "the time does not rise, " + std::to_string(wrong) + " times in this run"});
 }
 
+// Rows count from the begin of the motion.
+void checkBegin(const LogRun& run, FaultLog& log) {
+  constexpr double kLate = 0.25;  // [s] free choice
+  if (run.t.empty() || std::abs(run.t.front()) <= kLate) return;
+  log.add({DataFaultKind::Clock, false, run.file, "", "", rowOf(0),
+           "the time begins at " + fixed(run.t.front(), 3) + " s, not with the motion"});
+}
+
 void checkSteps(const LogSet& set, const LogRun& run, FaultLog& log) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < run.t.size(); ++i) {
@@ -179,6 +187,7 @@ bool isStiff(const LogRun& run, const std::string& joint) {
 
 void checkTimes(const LogSet& set, FaultLog& log) {
   for (const LogRun& run : set.runs) {
+    checkBegin(run, log);
     checkOrder(run, log);
     checkSteps(set, run, log);
   }

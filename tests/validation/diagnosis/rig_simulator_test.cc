@@ -51,8 +51,8 @@ struct Recorded {
 };
 
 // A perfect model's misfit is 1 but for chance: 12 s are 120 independent samples of a torque with a
-// memory of 0.05 s, +-6 % of a joint's misfit. A rig is not quite perfect: how its neighbours rattle
-// in their play is left out (LHipPitch is worst, 1.43; 1.12 over three sets' four joints).
+// memory of 0.05 s, +-6 % of a joint's misfit. A rig is not quite perfect: how its neighbours
+// rattle in their play is left out (LHipPitch is worst, 1.43; 1.12 over three sets' four joints).
 constexpr double kNull = 1.25, kLargestOfTwelve = 1.6, kMean = 1.2;
 
 TEST(RigSimulator, OfAPerfectModelNoiseExplainsAll) {
@@ -211,45 +211,6 @@ TEST(RigSimulator, RefusesARobotOnItsFeet) {
   LogSet set;
   set.rate = 100;
   EXPECT_THROW(RigSet(set, nao::test::robot("nao_h21_v33")), InputError);
-}
-
-LogSet oneRun() {
-  LogSet set;
-  set.rate = 100;
-  set.joints.resize(1);
-  set.joints[0].name = "hinge";
-  LogRun run;
-  run.motion = "m";
-  run.t = {0, 0.012, 0.02, 0.031};
-  run.columns["cmd.hinge"] = {1, 2, kUnknown, 3};
-  run.columns["q.hinge"] = {0, 0.12, kUnknown, 0.31};
-  set.runs.push_back(run);
-  return set;
-}
-
-TEST(Grid, HoldsCommandsAndDrawsLinesBetweenAngles) {
-  const auto model = nao::test::pendulum(1, 0.1);
-  LogSet set = oneRun();
-  const GriddedMotion motion = griddedMotions(set, *model).front();
-  ASSERT_EQ(motion.rows, 4u);
-  EXPECT_EQ(motion.runs[0].command.at(toJoint(0)), (std::vector<double>{1, 1, 2, 2}));
-  const std::vector<double>& angle = motion.runs[0].angle.at(toJoint(0));
-  EXPECT_NEAR(angle[1], 0.1, 1e-12);
-  EXPECT_NEAR(angle[3], 0.30, 1e-12);
-  set.joints[0].sign = -1;
-  set.joints[0].zero = 0.5;
-  const GriddedMotion turned = griddedMotions(set, *model).front();
-  EXPECT_NEAR(turned.runs[0].angle.at(toJoint(0))[1], 0.4, 1e-12);
-}
-
-TEST(Grid, RefusesRunsOfOneMotionThatDiffer) {
-  LogSet set = oneRun();
-  set.runs.push_back(set.runs[0]);
-  set.runs[1].kp_scale = 2;
-  EXPECT_THROW(griddedMotions(set, *nao::test::pendulum(1, 0.1)), InputError);
-  set = oneRun();
-  set.joints[0].name = "tail";
-  EXPECT_THROW(griddedMotions(set, *nao::test::pendulum(1, 0.1)), InputError);
 }
 
 }  // namespace

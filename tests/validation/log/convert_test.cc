@@ -119,6 +119,24 @@ TEST(Convert, ReadsLogsOfMemoryKeys) {
   EXPECT_EQ(readLogSet(folder.path() + "/set").runs[0].columns.size(), 5u);
 }
 
+TEST(Convert, MakesARunOfEachLogOfMemoryKeysAndCountsFromItsBegin) {
+  const TemporaryFolder folder;
+  const std::string key = "Device/SubDeviceList/HeadYaw/Position/Sensor/Value";
+  for (const char* name : {"nod", "shake", "bow"}) {
+    folder.write(name + std::string(".csv"), "Time, " + key + "\n 86.5, 0.25\n86.75,0.375 \n");
+  }
+  const LogSet set = convertLog(folder.path(), LogFormat::Almemory, {});
+  ASSERT_EQ(set.runs.size(), 3u);
+  const std::vector<std::pair<std::string, Split>> expected = {
+      {"bow", Split::Fit}, {"nod", Split::Select}, {"shake", Split::Test}};
+  for (std::size_t r = 0; r < expected.size(); ++r) {
+    EXPECT_EQ(set.runs[r].motion, expected[r].first);
+    EXPECT_EQ(set.runs[r].split, expected[r].second);
+    EXPECT_EQ(set.runs[r].t, (std::vector<double>{0, 0.25}));
+    EXPECT_EQ(*set.runs[r].find("q.HeadYaw"), (Column{0.25, 0.375}));
+  }
+}
+
 // "Position", "Angles": arrays of float32, as the robot sends them.
 std::string pack(const char* key, const std::vector<float>& values) {
   std::string bytes(1, static_cast<char>(0xa0 | std::string(key).size()));

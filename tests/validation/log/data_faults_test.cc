@@ -115,6 +115,12 @@ TEST_F(DataFaults, TellTimesThatGoBack) {
   EXPECT_EQ(find()[0].row, 203u);  // the header is row 1
 }
 
+TEST_F(DataFaults, TellTimesOfAnotherClock) {
+  for (double& t : set_.runs[3].t) t += 1353.2;
+  expectOnly(DataFaultKind::Clock, "tones_1.csv", "");
+  EXPECT_EQ(find()[0].row, 2u);
+}
+
 TEST_F(DataFaults, TellMissingRows) {
   LogRun& run = set_.runs[4];
   run.t.erase(run.t.begin() + 100, run.t.begin() + 107);
