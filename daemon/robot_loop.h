@@ -70,6 +70,8 @@ class RobotLoop {
 
   Mailbox<LoopOutcome>& outcomes() { return outcomes_; }
   const Latest<LoopState>& state() const { return state_; }
+  /// Of the physics; never changes.
+  Duration stepSize() const { return simulation_.stepSize(); }
 
   /// Before start(): while this is true a world at full speed, or one that is stepped, waits: no
   /// picture may be missing. Called on the simulation thread; must not block.

@@ -58,6 +58,7 @@ rpc::Service UsarSim::describe() {
       .method("resume", this, &UsarSim::resume, "Lets time go on.")
       .method("step", this, &UsarSim::step, "While paused: some physics steps, then paused again.",
               Argument{"steps", "How many."})
+      .method("stepSize", this, &UsarSim::stepSize, "Of one physics step [s].")
       .method("setSpeed", this, &UsarSim::setSpeed, "How fast time goes.",
               Argument{"speed", "Simulated seconds per second; 0 or less: as fast as it goes."})
       .method("reset", this, &UsarSim::reset, "Everything back to how it began; time goes on.")

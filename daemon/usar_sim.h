@@ -53,6 +53,7 @@ class UsarSim {
   double time() const;
   float speed() const;
   bool isPaused() const;
+  double stepSize() const { return toSeconds(loop_.stepSize()); }
   std::string hash() const;
   std::uint64_t seed() const { return chance_.seed; }
   std::map<std::string, double> draw() const { return chance_.draw; }

@@ -23,6 +23,21 @@ TEST_F(TestWorldTest, TimePassesOnlyWhenItIsTold) {
   EXPECT_NEAR(world.time(), 0.25, 1e-9);
 }
 
+TEST_F(TestWorldTest, TimeIsInSecondsWhateverThePhysicsStep) {
+  const TestWorld world({"--step", "0.001"});
+  world.step(0.25);
+  EXPECT_NEAR(world.time(), 0.25, 1e-9);
+}
+
+TEST_F(TestWorldTest, AWorldThatLogsMuchGoesOn) {
+  const TestWorld world;
+  AL::ALProxy logger = world.proxy("ALLogger");
+  for (int i = 0; i < 100; ++i) {  // 64 kB fill a pipe
+    logger.callVoid("error", std::string("test"), std::string(1000, 'x'));
+  }
+  EXPECT_EQ(world.time(), 0);
+}
+
 TEST_F(TestWorldTest, CallsEndWhileTimePasses) {
   const TestWorld world({"--robot", "nao_h25_v50"});
   const AL::ALProxy motion = world.proxy("ALMotion");

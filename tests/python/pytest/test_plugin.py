@@ -71,3 +71,17 @@ def test_a_world_that_can_not_be_is_refused_with_the_reason():
     from usarnaoqi_sdk.world import World
     with pytest.raises(RuntimeError, match="the world did not start: .*hal"):
         World(robots=["hal"])
+
+
+def test_time_is_in_seconds_whatever_the_physics_step():
+    from usarnaoqi_sdk.world import World
+    with World(options=["--step", "0.001"]) as world:
+        world.step(0.25)
+        assert world.time() == pytest.approx(0.25)
+
+
+def test_a_world_that_logs_much_goes_on(usarnaoqi):
+    logger = usarnaoqi.robot.service("ALLogger")
+    for _ in range(100):  # 64 kB fill a pipe
+        logger.call("error", "test", "x" * 1000)
+    assert usarnaoqi.time() == pytest.approx(0)

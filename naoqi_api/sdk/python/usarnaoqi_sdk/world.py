@@ -6,6 +6,8 @@ import math
 import os
 import shutil
 import subprocess
+import tempfile
+import threading
 from typing import Any, Callable, List, Optional, Sequence
 
 from .session import Session
@@ -101,7 +103,9 @@ class World:
             command += ["--robot", robot]
         if world:
             command += ["--world", world if world.endswith(".yaml") else "worlds/%s.yaml" % world]
-        self._process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+        self._said = tempfile.TemporaryFile("w+")  # no pipe: nobody reads on once it has begun
+        self._reader: Optional[threading.Thread] = None
+        self._process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=self._said,
                                          text=True)
         self.robots: List[RobotView] = []
         try:
@@ -116,12 +120,21 @@ class World:
             while line.startswith("       "):
                 line = self._process.stdout.readline()
             if not line.startswith("ready: "):
-                raise RuntimeError("the world did not start: %s" % self._process.stderr.read())
+                self._process.wait()
+                self._said.seek(0)
+                raise RuntimeError("the world did not start: %s" % self._said.read())
             name = line.split()[1]
             self.robots.append(RobotView(self, name, line.partition("://")[2].strip()))
         self._simulator = self.robots[0].simulator
         self.ask(self._simulator, "pause")
-        self.stepSize = 0.002
+        self.stepSize = self._simulator.call("stepSize")  # [s]
+        self._reader = threading.Thread(target=self._drain, daemon=True)
+        self._reader.start()
+
+    def _drain(self) -> None:
+        """What the daemon logs afterwards; unread, it would hold the daemon up one day."""
+        for _ in self._process.stdout:
+            pass
 
     @property
     def robot(self) -> RobotView:
@@ -176,5 +189,7 @@ class World:
             robot.close()
         self._process.kill()
         self._process.wait()
+        if self._reader:
+            self._reader.join()
         self._process.stdout.close()
-        self._process.stderr.close()
+        self._said.close()

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <alcommon/alproxy.h>
@@ -32,6 +33,8 @@ class TestWorld {
       readPort();
       simulator_.reset(new AL::ALProxy("UsarSim", "127.0.0.1", port_));
       simulator_->callVoid("pause");
+      step_ = simulator_->call<double>("stepSize");
+      reader_ = std::thread([this] { drain(); });
     } catch (...) {
       end();
       throw;
@@ -54,7 +57,7 @@ class TestWorld {
 
   /// Lets so much time [s] pass, and no more.
   void step(double seconds) const {
-    simulator_->callVoid("step", std::max(1, static_cast<int>(std::lround(seconds / kStep))));
+    simulator_->callVoid("step", std::max(1, static_cast<int>(std::lround(seconds / step_))));
   }
 
   /// Lets time pass until the condition holds; false if it does not within so many s.
@@ -82,8 +85,7 @@ class TestWorld {
   }
 
  private:
-  static constexpr double kStep = 0.002;  // [s] of the physics
-  static constexpr double kBeat = 0.01;   // [s] between two looks
+  static constexpr double kBeat = 0.01;  // [s] between two looks
 
   void start(const std::vector<std::string>& options) {
     const char* named = std::getenv("USARNAOQI");
@@ -126,12 +128,20 @@ class TestWorld {
     port_ = std::atoi(line.c_str() + colon + 1);
   }
 
+  // What the daemon logs afterwards; unread, it would hold the daemon up one day.
+  void drain() const {
+    char said[4096];
+    while (::read(output_, said, sizeof said) > 0) {
+    }
+  }
+
   void end() {
     simulator_.reset();
     if (process_ > 0) {
       ::kill(process_, SIGKILL);
       ::waitpid(process_, nullptr, 0);
     }
+    if (reader_.joinable()) reader_.join();
     if (output_ >= 0) ::close(output_);
     process_ = 0;
     output_ = -1;
@@ -140,6 +150,8 @@ class TestWorld {
   pid_t process_ = 0;
   int output_ = -1;
   int port_ = 0;
+  double step_ = 0;  // [s] of the physics
+  std::thread reader_;
   boost::shared_ptr<AL::ALProxy> simulator_;
 };
 
