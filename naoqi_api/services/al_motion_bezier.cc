@@ -3,7 +3,6 @@
 #include "motion/trajectory.h"
 #include "naoqi_api/call_error.h"
 #include "naoqi_api/services/al_motion_names.h"
-#include "naoqi_api/services/finite.h"
 
 namespace nao::services {
 namespace {
@@ -16,21 +15,15 @@ const Items& itemsOf(const rpc::Value& value, const char* what) {
   return *items;
 }
 
-double numberOf(const rpc::Value& value) {
-  const auto number = value.findNumber();
-  if (!number) throw rpc::CallError("expected a number, got " + value.print());
-  return finite(*number);
-}
-
 motion::Handle readHandle(const rpc::Value& value) {
   const Items& parts = itemsOf(value, "a handle [type, dTime, dAngle]");
   if (parts.size() != 3) throw rpc::CallError("expected a handle [type, dTime, dAngle]");
-  const double type = numberOf(parts[0]);
+  const double type = readNumber(parts[0]);
   if (type != 0 && type != 1 && type != 2 && type != 3) {
     throw rpc::CallError("the type of a handle is 0, 1, 2 or 3");
   }
-  return {static_cast<motion::Handle::Kind>(static_cast<int>(type)), numberOf(parts[1]),
-          numberOf(parts[2])};
+  return {static_cast<motion::Handle::Kind>(static_cast<int>(type)), readNumber(parts[1]),
+          readNumber(parts[2])};
 }
 
 // Handles that are not written stay as `automatic`.
@@ -42,11 +35,11 @@ struct WrittenKey {
 
 WrittenKey readKey(const rpc::Value& value) {
   const Items* parts = value.findItems();
-  if (parts == nullptr) return {numberOf(value), nullptr, nullptr};
+  if (parts == nullptr) return {readNumber(value), nullptr, nullptr};
   if (parts->empty() || parts->size() > 3) {
     throw rpc::CallError("expected a key [angle, handle, handle]");
   }
-  WrittenKey key{numberOf((*parts)[0]), nullptr, nullptr};
+  WrittenKey key{readNumber((*parts)[0]), nullptr, nullptr};
   if (parts->size() > 1) key.before = &(*parts)[1];
   if (parts->size() > 2) key.after = &(*parts)[2];
   return key;
@@ -69,7 +62,7 @@ motion::Curve readCurve(Joint joint, double present, const rpc::Value& times,
   for (std::size_t i = 0; i < keys.size(); ++i) {
     written.push_back(readKey(keys[i]));
     motion::Key key;
-    key.time = numberOf(key_times[i]);
+    key.time = readNumber(key_times[i]);
     key.angle = written.back().angle;
     if (key.time <= before) throw rpc::CallError("times must be positive and ascending");
     before = key.time;

@@ -10,7 +10,6 @@ namespace {
 
 // NaoQi's numbers for the frames.
 constexpr int kFrameTorso = 0;
-constexpr int kFrameWorld = 1;
 constexpr int kFrameRobot = 2;
 
 constexpr double kLifted =

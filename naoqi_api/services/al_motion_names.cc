@@ -12,12 +12,6 @@ namespace {
 using Numbers = std::vector<double>;
 using Lists = std::vector<Numbers>;
 
-double readNumber(const rpc::Value& value) {
-  const auto number = value.findNumber();
-  if (!number) throw rpc::CallError("expected a number, got " + value.print());
-  return finite(*number);
-}
-
 Numbers readNumbers(const rpc::Value& value) {
   const auto* items = value.findItems();
   if (items == nullptr) return {readNumber(value)};
@@ -87,6 +81,12 @@ void checkTimes(const Course& course) {
 }
 
 }  // namespace
+
+double readNumber(const rpc::Value& value) {
+  const auto number = value.findNumber();
+  if (!number) throw rpc::CallError("expected a number, got " + value.print());
+  return finite(*number);
+}
 
 std::vector<std::string> expandNames(const RobotModel& model,
                                      const std::vector<std::string>& names) {

@@ -17,6 +17,9 @@ std::vector<std::string> expandNames(const RobotModel& model,
                                      const std::vector<std::string>& names);
 std::vector<Joint> jointsNamed(const RobotModel& model, const std::vector<std::string>& names);
 
+/// @throws CallError if it is no number, or not finite.
+double readNumber(const rpc::Value& value);
+
 /// One name or a list of them. @throws CallError if it is something else.
 std::vector<std::string> readNames(const rpc::Value& names);
 

@@ -197,8 +197,10 @@ rpc::Value AlMotionSwitches::getWalkArmsEnabled() {
 }
 
 void AlMotionSwitches::setPushRecoveryEnabled(bool enable) {
-  walk_feedback_.feedback.steps = enable;
-  link_.post(walk_feedback_);
+  auto changed = walk_feedback_;
+  changed.feedback.steps = enable;
+  link_.post(changed);
+  walk_feedback_ = changed;
 }
 
 bool AlMotionSwitches::setCollisionProtectionEnabled(const std::string& chain, bool enable) {

@@ -7,6 +7,7 @@
 
 #include "naoqi_api/services/al_audio_player.h"
 #include "naoqi_api/services/extractor.h"
+#include "naoqi_api/services/kept_names.h"
 #include "naoqi_api/services/make_module.h"
 #include "naoqi_api/services/microphones.h"
 #include "naoqi_api/services/naoqi_method.h"
@@ -72,7 +73,8 @@ void declareListeners(rpc::Service& service) {
   const auto modules = std::make_shared<std::set<std::string>>();
   const Argument module{"module", "Its name."};
   const auto subscribe = [modules](const std::string& name) {
-    if (modules->size() < 256) modules->insert(name);
+    requireRoom(*modules, name);
+    modules->insert(name);
   };
   const auto unsubscribe = [modules](const std::string& name) { modules->erase(name); };
   addFunction(service, "subscribe", subscribe, "Is kept: no sound is ever sent.", module);
@@ -120,7 +122,8 @@ ServicePointer makeAudioDevice(const ServiceContext& context) {
   addFunction(
       *service, "setParameter",
       [parameters](const std::string& which, std::int32_t value) {
-        if (parameters->size() < 256) (*parameters)[which] = value;
+        requireRoom(*parameters, which);
+        (*parameters)[which] = value;
       },
       "Is kept.", name, Argument{"value", "Its new value."});
   addFunction(
@@ -182,7 +185,8 @@ void declareVocabulary(rpc::Service& service, const std::shared_ptr<Recognition>
   addFunction(
       service, "setParameter",
       [state](const std::string& name, float value) {
-        if (state->parameters.size() < 256) state->parameters[name] = value;
+        requireRoom(state->parameters, name);
+        state->parameters[name] = value;
       },
       "Is kept.", Argument{"name", "Such as Sensitivity."}, Argument{"value", "Its new value."});
   addFunction(

@@ -92,11 +92,11 @@ void BallWatch::look() {
 }
 
 // [[seconds, microseconds], [yaw, pitch, width, height], camera in torso, camera in robot, camera]
-void BallWatch::tell(const SeenBall& ball, const Pose& X_TC, SimTime /*time*/) const {
+void BallWatch::tell(const SeenBall& ball, const Pose& X_TC, SimTime time) const {
   const CameraModel& camera = context_.link.model().cameras[static_cast<std::size_t>(camera_)];
-  const auto now = context_.store().now();
-  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(now);
-  const auto rest = std::chrono::duration_cast<std::chrono::microseconds>(now - seconds);
+  const auto taken = context_.store().now() - (context_.link.now() - time);  // the picture
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(taken);
+  const auto rest = std::chrono::duration_cast<std::chrono::microseconds>(taken - seconds);
   const auto size = static_cast<float>(ball.diameter * camera.hfov);
   const Pose X_RT = kinematics_.calcRobotFrame().inverse();
   context_.store().raiseEvent(

@@ -12,8 +12,8 @@ namespace nao::services {
 using SettingDefaults = std::map<std::string, rpc::Value>;
 
 /// Adds the methods of `documented` that only keep a value: pairs such as getX/setX and
-/// isXEnabled with setXEnabled or enableX, and getParameter/setParameter by name. What is not in `defaults` begins
-/// as 0, false or nothing. They count as simplified.
+/// isXEnabled with setXEnabled or enableX, and getParameter/setParameter by name. What is not in
+/// `defaults` begins as 0, false or nothing. They count as simplified.
 void addSettings(rpc::Service& service, const DocumentedService& documented,
                  const SettingDefaults& defaults = {});
 

@@ -57,6 +57,20 @@ TEST_F(SystemServices, ALauncherKnowsTheModulesAndLaunchesNone) {
   EXPECT_NE(refused.findText()->find("not simulated"), std::string::npos);
 }
 
+TEST_F(SystemServices, WhatFindsNoRoomIsRefusedNotDropped) {
+  for (int i = 0; i < 255; ++i) {
+    call("ALAudioDevice", "setParameter", {"p" + std::to_string(i), 1});
+    call("ALAudioDevice", "subscribeRemoteModule", {"m" + std::to_string(i)});
+  }
+  const Value refused = call("ALAudioDevice", "setParameter", {"one more", 1});
+  EXPECT_NE(refused.findText()->find("there is no room for one more"), std::string::npos);
+  call("ALAudioDevice", "setParameter", {"outputSampleRate", 48000});
+  EXPECT_EQ(call("ALAudioDevice", "getParameter", {"outputSampleRate"}), Value(48000));
+  EXPECT_EQ(call("ALAudioDevice", "subscribeRemoteModule", {"last"}), Value(true));
+  EXPECT_EQ(call("ALAudioDevice", "subscribeRemoteModule", {"last"}), Value(true));
+  EXPECT_EQ(call("ALAudioDevice", "subscribeRemoteModule", {"more"}).findText()->front(), '!');
+}
+
 TEST_F(SystemServices, TheOldPoseServiceTellsHowTheRobotStands) {
   const Value pose = call("ALRobotPose", "getActualPoseAndTime");
   EXPECT_EQ(pose.findItems()->size(), 2U);
