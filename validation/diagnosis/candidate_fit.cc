@@ -32,14 +32,6 @@ void append(FitSpace& space, const Cause& cause, const std::vector<double>& x) {
   }
 }
 
-CauseList withNumbers(CauseList model, const std::vector<double>& numbers) {
-  std::size_t next = 0;
-  for (Chosen& one : model) {
-    for (double& x : one.x) x = numbers[next++];
-  }
-  return model;
-}
-
 // What a model's numbers change of the prediction, by ensembles of final_runs; remembers.
 class ModelChanges {
  public:

@@ -60,7 +60,6 @@ struct Cause {
   bool spread_beyond = false;  // so do the joints that this one carries, and it feels them
   std::string sentence;        // for the report, "{joint}" and "{value}" filled in
   std::string separate;        // the experiment that tells it from its rivals
-  std::string prior = "common";
 
   std::string fill(const std::string& joint, const std::string& value) const;
 };

@@ -77,8 +77,7 @@ class Ensemble {
   const JointNoise& noise() const { return noise_; }
   const JointData& data() const { return data_; }
   long used() const { return used_; }
-  /// Runs may be granted again.
-  void grant(long runs) { granted_ += runs; }
+  /// Whether all runs granted have been used.
   bool spent() const { return used_ >= granted_; }
 
  private:

@@ -17,15 +17,6 @@ constexpr std::size_t kManyLogs = 8;  // as blocks of their own; fewer are cut i
 constexpr std::uint64_t kSeed = 1;
 constexpr double kRounding = 3;  // times the encoder's rounding: less is no remainder
 
-std::vector<FoundNumber> shown(const Cause& cause, const std::vector<double>& x) {
-  std::vector<FoundNumber> numbers;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const FreeNumber& free = cause.free[i];
-    numbers.push_back({free.parameter, free.unit, shownValue(free, x[i]), x[i], x[i], x[i]});
-  }
-  return numbers;
-}
-
 class FoldSearch {
  public:
   FoldSearch(const JointSimulator& joint, const std::vector<Cause>& causes,
@@ -86,9 +77,9 @@ class FoldSearch {
     for (const FoldTried& other : tried) {
       const double behind = other.model.errors.mean() - chosen.model.errors.mean();
       if (other.cause == chosen.cause || behind > kSame * gain || behind < 0) continue;
-      rivals_[chosen.cause].push_back({causes_[other.cause].id,
-                                       shown(causes_[other.cause], other.model.of_all.back().x),
-                                       1e3 * behind});
+      rivals_[chosen.cause].push_back(
+          {causes_[other.cause].id, foundNumbers(causes_[other.cause], other.model.of_all.back().x),
+           1e3 * behind});
     }
   }
 
@@ -175,7 +166,7 @@ class FoldSearch {
     Finding finding;
     finding.cause = cause.id;
     finding.effect = cause.effect;
-    finding.numbers = shown(cause, one.x);
+    finding.numbers = foundNumbers(cause, one.x);
     finding.small = std::abs(one.x[0]) < cause.free[0].smallest;
     finding.folds = static_cast<int>(folds_.size());
     const auto lost = lost_.find(one.cause);

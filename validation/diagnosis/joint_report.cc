@@ -13,20 +13,11 @@ namespace nao::validation {
 namespace {
 
 constexpr double kLow = 0.05, kHigh = 0.95;  // of a 90 % interval
-constexpr double kNormal90 = 1.645;  // [SD] its half, of a normal distribution
+constexpr double kNormal90 = 1.645;          // [SD] its half, of a normal distribution
 // How well a fitted noise is known: null sets draw theirs from what the fit says. Hidden nulls left
 // 0.6 to 1.09 of the noise floor (60 joints), laws without a name 5 and more.
 constexpr double kNoiseKnown = 1.1;
 constexpr double kTold = 0.2;  // of a small difference's variance that data must take away
-
-std::vector<FoundNumber> numbersOf(const Cause& cause, const std::vector<double>& x) {
-  std::vector<FoundNumber> numbers;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const FreeNumber& free = cause.free[i];
-    numbers.push_back({free.parameter, free.unit, shownValue(free, x[i]), x[i], x[i], x[i]});
-  }
-  return numbers;
-}
 
 // What the numbers of the model would have come out as in each null set: one Gauss-Newton step
 // with the sensitivities of the fit. A row per set.
@@ -48,8 +39,7 @@ void addDisagreement(const JointData& data, const Stage& stage, const ModelFit& 
   for (const Eigen::VectorXd& null : stage.nulls()) {
     by_chance.push_back(votesOf(data, stage, fit, steps, null));
   }
-  const Eigen::VectorXd variance =
-      disagreement(votesOf(data, stage, fit, steps, left), by_chance);
+  const Eigen::VectorXd variance = disagreement(votesOf(data, stage, fit, steps, left), by_chance);
   Random random(1, "disagreement");
   for (Eigen::Index n = 0; n < moves.rows(); ++n) {
     for (Eigen::Index i = 0; i < moves.cols(); ++i) {
@@ -125,7 +115,7 @@ Finding JointSearch::findingOf(std::size_t place) const {
   Finding finding;
   finding.cause = cause.id;
   finding.effect = cause.effect;
-  finding.numbers = numbersOf(cause, x);
+  finding.numbers = foundNumbers(cause, x);
   finding.gain = chosen.gain;
   finding.share = chosen.share;
   finding.folds = chosen.validation.folds;
@@ -135,7 +125,7 @@ Finding JointSearch::findingOf(std::size_t place) const {
   finding.small = std::abs(x[0]) < cause.free[0].smallest;
   for (const Candidate& rival : chosen.rivals) {
     const Cause& other = causes_[rival.cause];
-    finding.rivals.push_back({other.id, numbersOf(other, rival.x), chosen.gain - rival.gain});
+    finding.rivals.push_back({other.id, foundNumbers(other, rival.x), chosen.gain - rival.gain});
   }
   finding.confusion = chosen.confusion;
   finding.sentence = cause.fill(joint_.joint(), valueText(finding.numbers[0]));
@@ -151,7 +141,7 @@ std::vector<Adjustment> JointSearch::adjustments() const {
     const Cause& cause = causes_[one.cause];
     std::vector<double> x = startsOf(cause).front();
     x[0] = one.x;
-    FoundNumber number = numbersOf(cause, x).front();
+    FoundNumber number = foundNumbers(cause, x).front();
     number.low = number.deviation - kNormal90 * one.sd;
     number.high = number.deviation + kNormal90 * one.sd;
     all.push_back({cause.id, cause.effect, number});

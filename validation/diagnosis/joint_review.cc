@@ -18,10 +18,9 @@ bool samePlace(const Cause& a, const Cause& b) {
          b.id.rfind(b.effect + ".", 0) == 0;
 }
 
-// Of all causes, a row per column of the fit's sensitivities.
-Eigen::VectorXd numbersOf(const CauseList& model) {
-  std::vector<double> all;
-  for (const Chosen& one : model) all.insert(all.end(), one.x.begin(), one.x.end());
+// A row per column of the fit's sensitivities.
+Eigen::VectorXd columnOf(const CauseList& model) {
+  const std::vector<double> all = numbersOf(model);
   return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
 }
 
@@ -149,18 +148,18 @@ void JointSearch::refine() {
   if (fit_.model.empty() || ensemble_.spent()) return;
   fit_.model = stage_->model();  // where its residual was taken
   setExactSlopes(ensemble_, causes_, effort_.base_runs / 3, *stage_, fit_);
-  const Eigen::VectorXd start = numbersOf(fit_.model);
+  const Eigen::VectorXd start = columnOf(fit_.model);
   moveNumbers(fit_, stage_->raw(), *stage_, causes_);
-  const Eigen::VectorXd change = fit_.jacobian * (numbersOf(fit_.model) - start);
+  const Eigen::VectorXd change = fit_.jacobian * (columnOf(fit_.model) - start);
   if (stage_->whitenFit(change).norm() < kNear) {
     left_ -= change;
     return;
   }
   const RunPool pool = ensemble_.pool(settingsOf(causes_, fit_.model), effort_.base_runs);
   left_ = data_.mean() - pool.mean;
-  const Eigen::VectorXd before = numbersOf(fit_.model);
+  const Eigen::VectorXd before = columnOf(fit_.model);
   moveNumbers(fit_, left_, *stage_, causes_);
-  left_ -= fit_.jacobian * (numbersOf(fit_.model) - before);
+  left_ -= fit_.jacobian * (columnOf(fit_.model) - before);
 }
 
 }  // namespace nao::validation

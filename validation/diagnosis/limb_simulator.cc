@@ -86,7 +86,8 @@ Eigen::MatrixXd LimbSimulator::run(const std::vector<EffectSetting>& causes, std
   const double settle = set.options().settle;
   const sim::HingeMotion played = sim::runHinges(
       models_[motion], effects, altered ? *altered : orders_[motion],
-      {settle, set.worldStep(), 1, seed, drawLateness(noise, stream, motion, 0.9 * settle)}, set.catalogue());
+      {settle, set.worldStep(), 1, seed, drawLateness(noise, stream, motion, 0.9 * settle)},
+      set.catalogue());
   const auto column = static_cast<Eigen::Index>(index(limb_->joint()));
   Eigen::MatrixXd signals(played.reported.rows(), measured_[motion].repeats.front().cols());
   signals.col(0) = played.reported.col(column);

@@ -32,20 +32,6 @@ FitSpace spaceOf(const std::vector<Cause>& causes, const CauseList& start, int i
 
 }  // namespace
 
-CauseList withNumbers(CauseList model, const std::vector<double>& numbers) {
-  std::size_t next = 0;
-  for (Chosen& one : model) {
-    for (double& x : one.x) x = numbers[next++];
-  }
-  return model;
-}
-
-std::vector<double> numbersOf(const CauseList& model) {
-  std::vector<double> all;
-  for (const Chosen& one : model) all.insert(all.end(), one.x.begin(), one.x.end());
-  return all;
-}
-
 MotionFit::MotionFit(const JointSimulator& joint, const JointNoise& noise,
                      const std::vector<Cause>& causes, const MotionFitOptions& options)
     : joint_(joint), noise_(noise), causes_(causes), options_(options) {}

@@ -60,8 +60,4 @@ class MotionFit {
   MotionFitOptions options_;
 };
 
-/// The model with these numbers in place of its own, in order.
-CauseList withNumbers(CauseList model, const std::vector<double>& numbers);
-std::vector<double> numbersOf(const CauseList& model);
-
 }  // namespace nao::validation

@@ -26,12 +26,6 @@ Eigen::VectorXd without(const Eigen::MatrixXd& basis, const Eigen::VectorXd& x) 
 
 }  // namespace
 
-std::vector<EffectSetting> settingsOf(const std::vector<Cause>& causes, const CauseList& chosen) {
-  std::vector<EffectSetting> settings;
-  for (const Chosen& one : chosen) settings.push_back(settingOf(causes[one.cause], one.x));
-  return settings;
-}
-
 Stage::Stage(Ensemble& ensemble, const JointData& data, const std::vector<Cause>& causes,
              CauseList model, const Eigen::MatrixXd& jacobian, const Effort& effort,
              const std::vector<std::size_t>& given)

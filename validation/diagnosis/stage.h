@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "validation/diagnosis/causes.h"
+#include "validation/diagnosis/chosen.h"
 #include "validation/diagnosis/ensemble.h"
 #include "validation/diagnosis/joint_data.h"
 #include "validation/diagnosis/whitening.h"
@@ -22,15 +22,6 @@ struct Effort {
   int finalists = 4;    // that are fitted with final_runs
   int most_causes = 4;  // named for one joint
 };
-
-/// A cause with its numbers, as part of a model.
-struct Chosen {
-  std::size_t cause = 0;  // in the list of causes
-  std::vector<double> x;
-};
-using CauseList = std::vector<Chosen>;
-
-std::vector<EffectSetting> settingsOf(const std::vector<Cause>& causes, const CauseList& chosen);
 
 /// What switching a cause on does to the prediction, once, at its start values.
 struct Look {

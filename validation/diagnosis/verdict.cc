@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "validation/diagnosis/causes.h"
+
 namespace nao::validation {
 namespace {
 
@@ -28,6 +30,15 @@ int gravity(Verdict verdict) {
 }
 
 }  // namespace
+
+std::vector<FoundNumber> foundNumbers(const Cause& cause, const std::vector<double>& x) {
+  std::vector<FoundNumber> numbers;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const FreeNumber& free = cause.free[i];
+    numbers.push_back({free.parameter, free.unit, shownValue(free, x[i]), x[i], x[i], x[i]});
+  }
+  return numbers;
+}
 
 std::string valueText(const FoundNumber& number) {
   char text[64];

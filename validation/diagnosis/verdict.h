@@ -5,6 +5,8 @@
 
 namespace nao::validation {
 
+struct Cause;
+
 /// A number of a named cause, as a person reads it.
 struct FoundNumber {
   std::string parameter, unit;
@@ -12,6 +14,9 @@ struct FoundNumber {
   double deviation = 0;      // from the nominal model
   double low = 0, high = 0;  // 90 % interval of the deviation
 };
+
+/// The numbers of a cause at a fit's `x`; their intervals are the numbers themselves.
+std::vector<FoundNumber> foundNumbers(const Cause& cause, const std::vector<double>& x);
 
 /// "12.3 ms", "0.4 deg": as the report writes it.
 std::string valueText(const FoundNumber& number);

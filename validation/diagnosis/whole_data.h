@@ -28,7 +28,6 @@ class WholeData {
   Eigen::Index fitSize() const { return fit_size_; }
   std::size_t runs() const { return measured_.size(); }
   std::size_t joints() const { return joints_; }  // whose angles are the first groups of a space
-  std::size_t blockOf(std::size_t run) const { return block_of_[run]; }
   const Eigen::VectorXd& measured(std::size_t run) const { return measured_[run]; }
 
   /// Runs simulated so far.

@@ -80,17 +80,10 @@ class FloorRun {
   motion::RequestId last_id_ = 0;
 };
 
-std::shared_ptr<const RobotModel> withEffects(const FloorPlan& plan) {
-  auto robot = std::make_shared<RobotModel>(*plan.model);
-  robot->variation.clear();
-  robot->effects.insert(robot->effects.end(), plan.extra.begin(), plan.extra.end());
-  return robot;
-}
-
 }  // namespace
 
 LogSet recordOnFloor(const FloorPlan& plan) {
-  const auto robot = withEffects(plan);
+  const auto robot = withEffects(*plan.model, plan.extra);
   LogSet set = simulatedSet(*robot);
   for (const FloorMotion& motion : plan.motions) {
     for (int repeat = 0; repeat < plan.repeats; ++repeat) {

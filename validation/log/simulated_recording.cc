@@ -5,6 +5,7 @@
 
 #include "core/random.h"
 #include "core/world_model.h"
+#include "validation/log/simulated_rows.h"
 #include "validation/log/standard_motions.h"
 
 namespace nao::validation {
@@ -104,13 +105,6 @@ class Recorder {
   std::vector<JointArray<double>> orders_;  // of the motion at hand, by row
 };
 
-std::shared_ptr<const RobotModel> withEffects(const RecordingPlan& plan) {
-  auto robot = std::make_shared<RobotModel>(*plan.model);
-  robot->variation.clear();
-  robot->effects.insert(robot->effects.end(), plan.extra.begin(), plan.extra.end());
-  return robot;
-}
-
 std::vector<std::size_t> writtenJoints(const RecordingPlan& plan) {
   std::vector<std::size_t> written;
   for (std::size_t j = 0; j < plan.model->jointCount(); ++j) {
@@ -161,7 +155,7 @@ void moveOnly(const std::vector<std::string>& joints,
 }
 
 LogSet recordSimulated(const RecordingPlan& plan) {
-  const auto robot = withEffects(plan);
+  const auto robot = withEffects(*plan.model, plan.extra);
   LogSet set;
   set.name = plan.name;
   set.source = "simulated";

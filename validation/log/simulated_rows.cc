@@ -69,4 +69,12 @@ LogSet simulatedSet(const RobotModel& robot) {
   return set;
 }
 
+std::shared_ptr<const RobotModel> withEffects(const RobotModel& robot,
+                                              const std::vector<EffectSetting>& extra) {
+  auto changed = std::make_shared<RobotModel>(robot);
+  changed->variation.clear();
+  changed->effects.insert(changed->effects.end(), extra.begin(), extra.end());
+  return changed;
+}
+
 }  // namespace nao::validation

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "core/robot_io.h"
 #include "core/robot_model.h"
 #include "validation/log/robot_log.h"
@@ -13,5 +16,9 @@ void addRow(const RobotModel& robot, double t, const SensorFrame& sensors,
 
 /// A set of a simulated robot on its feet, without runs.
 LogSet simulatedSet(const RobotModel& robot);
+
+/// The robot as it is, but for `extra`: nothing of it is drawn anew.
+std::shared_ptr<const RobotModel> withEffects(const RobotModel& robot,
+                                              const std::vector<EffectSetting>& extra);
 
 }  // namespace nao::validation

@@ -176,7 +176,6 @@ class ToyRun {
   double t_ = 0, q_ = 0, u_ = 0, filtered_ = 0, limited_ = 0, played_ = 0;
   std::vector<double> trail_;
   std::size_t newest_ = 0;
-  int age_ = 0;
 };
 
 inline const JointNoise kToyNoise{0.03, 0.05, 0.001, 0.0015};

@@ -1,0 +1,25 @@
+#include "validation/diagnosis/chosen.h"
+
+namespace nao::validation {
+
+std::vector<EffectSetting> settingsOf(const std::vector<Cause>& causes, const CauseList& chosen) {
+  std::vector<EffectSetting> settings;
+  for (const Chosen& one : chosen) settings.push_back(settingOf(causes[one.cause], one.x));
+  return settings;
+}
+
+std::vector<double> numbersOf(const CauseList& model) {
+  std::vector<double> all;
+  for (const Chosen& one : model) all.insert(all.end(), one.x.begin(), one.x.end());
+  return all;
+}
+
+CauseList withNumbers(CauseList model, const std::vector<double>& numbers) {
+  std::size_t next = 0;
+  for (Chosen& one : model) {
+    for (double& x : one.x) x = numbers[next++];
+  }
+  return model;
+}
+
+}  // namespace nao::validation
