@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <memory>
 #include <string>
@@ -18,6 +17,7 @@
 #include "ci/scenario.h"
 #include "ci/suite.h"
 #include "core/check.h"
+#include "core/files.h"
 #include "validation/plot.h"
 #include "validation/report.h"
 
@@ -38,11 +38,6 @@ struct Arguments {
 };
 
 ci::Places places() { return {findSourceFile("worlds"), findSourceFile("robots")}; }
-
-void write(const std::string& option, const std::string& file, const std::string& text) {
-  std::ofstream out(file, std::ios::binary);
-  if (!(out << text).flush()) throw InputError(option + " " + file + ": can not be written");
-}
 
 // A line for each run, and on a terminal a bar that moves.
 class Progress {
@@ -127,21 +122,21 @@ void tell(const Arguments& arguments, const std::vector<ci::JobResult>& results,
 void runSuite(const Arguments& arguments) {
   const std::vector<ci::Job> jobs = ci::findJobs(arguments.path, arguments.seeds);
   for (const ci::Job& job : jobs) ci::loadScenario(job.file, job.seed, places());
-  if (!arguments.junit.empty()) write("--junit", arguments.junit, "");  // told before the work
+  if (!arguments.junit.empty()) writeFile("--junit", arguments.junit, "");  // told before the work
   if (!arguments.report.empty()) {
     validation::requireGnuplot();
-    write("--report", arguments.report, "");
+    writeFile("--report", arguments.report, "");
   }
   Progress progress(jobs.size());
   const auto start = std::chrono::steady_clock::now();
   const auto results = ci::runSuite(jobs, settingsFor(arguments, progress));
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   progress.end();
-  if (!arguments.junit.empty()) write("--junit", arguments.junit, ci::toJUnit(results));
+  if (!arguments.junit.empty()) writeFile("--junit", arguments.junit, ci::toJUnit(results));
   if (!arguments.report.empty()) {
-    write("--report", arguments.report, ci::toPage(results, [](const std::string& model) {
-            return loadRobotModel(findSourceFile("robots"), model);
-          }));
+    writeFile("--report", arguments.report, ci::toPage(results, [](const std::string& model) {
+                return loadRobotModel(findSourceFile("robots"), model);
+              }));
   }
   tell(arguments, results, wall.count());
 }

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <memory>
 
@@ -13,6 +12,7 @@
 #include "app/source_paths.h"
 #include "app/stand_by.h"
 #include "core/config.h"
+#include "core/files.h"
 #include "validation/diagnosis/diagnose_folds.h"
 #include "validation/diagnosis/diagnosis_json.h"
 #include "validation/diagnosis/diagnosis_page.h"
@@ -80,14 +80,9 @@ std::vector<validation::JointTask> tasksOf(const validation::PreparedSet& set,
 
 std::string partOf(const std::string& file) { return file + ".part"; }
 
-void writePart(const std::string& file, const std::string& text) {
-  std::ofstream out(partOf(file));
-  if (!(out << text).flush()) throw InputError(file + ": can not be written");
-}
-
 // An earlier file of the name stays until this one is whole.
 void write(const std::string& file, const std::string& text) {
-  writePart(file, text);
+  writeFile("--out", partOf(file), text);
   std::error_code failed;
   std::filesystem::rename(partOf(file), file, failed);
   if (failed) throw InputError(file + ": can not be written");
@@ -99,7 +94,7 @@ void prepareFolder(const std::string& folder) {
   std::filesystem::create_directories(folder, failed);
   if (failed) throw InputError("--out " + folder + ": the folder can not be made");
   const std::string report = folder + "/report.json";
-  writePart(report, "");
+  writeFile("--out", partOf(report), "");
   std::filesystem::remove(partOf(report));
   validation::requireGnuplot();
 }

@@ -3,13 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 
 #include "app/commands.h"
 #include "app/modes.h"
 #include "app/source_paths.h"
 #include "core/check.h"
+#include "core/files.h"
 #include "motion/timeline/motion_file.h"
 #include "validation/film.h"
 #include "validation/play_page.h"
@@ -65,11 +65,6 @@ class Pictures {
   std::vector<validation::Still> stills_;
 };
 
-void writePage(const std::string& file, const std::string& page) {
-  std::ofstream out(file);
-  if (!(out << page)) throw InputError("--report " + file + ": the file can not be written");
-}
-
 motion::Timeline load(const Arguments& arguments) {
   const std::string file = findMotionFile(arguments.file, arguments.robot);
   const RobotModel& model = *arguments.settings.model;
@@ -91,7 +86,8 @@ void run(Arguments& arguments) {
   pictures.close();
   const validation::Report report = reportPlay(arguments.file, timeline, settings, played);
   if (!arguments.page.empty()) {
-    writePage(arguments.page, playPage(*settings.model, report, played, pictures.stills()));
+    writeFile("--report", arguments.page,
+              playPage(*settings.model, report, played, pictures.stills()));
   }
   std::printf("%s", (arguments.json ? toJson(report) + "\n" : toText(report)).c_str());
   if (!timeline.broken.empty()) throw CLI::RuntimeError(kBrokenFile);

@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <sstream>
 
@@ -14,6 +13,7 @@
 #include "camera/ground_truth.h"
 #include "core/camera_effects.h"
 #include "core/check.h"
+#include "core/files.h"
 #include "daemon/options.h"
 #include "validation/picture_report.h"
 #include "validation/png.h"
@@ -154,11 +154,6 @@ camera::View outsideView(const Arguments& arguments) {
   view.X_WC.linear() = rotationFromRpy(from[3], from[4], from[5]);
   view.lens = camera::makePinhole(fov[0] * kRadPerDeg, fov[1] * kRadPerDeg, sizeOf(arguments.size));
   return view;
-}
-
-void writeFile(const std::string& option, const std::string& file, const std::string& content) {
-  std::ofstream out(file, std::ios::binary);
-  if (!(out << content)) throw InputError(option + " " + file + ": the file can not be written");
 }
 
 std::string ppmOf(const camera::Raster& raster) {

@@ -3,7 +3,6 @@
 #include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <optional>
 
 #include "app/program_file.h"
@@ -12,6 +11,7 @@
 #include "ci/executor.h"
 #include "ci/junit.h"
 #include "core/check.h"
+#include "core/files.h"
 #include "daemon/descriptor_limit.h"
 
 namespace nao::app {
@@ -70,10 +70,7 @@ bool runScenario(const ScenarioRun& run) {
   const ci::Result result = ci::execute(scenario, settings);
   tell(result);
   if (run.result.empty()) return result.passed();
-  std::ofstream out(run.result, std::ios::binary);
-  if (!(out << ci::toJson(result)).flush()) {
-    throw InputError("--result " + run.result + ": can not be written");
-  }
+  writeFile("--result", run.result, ci::toJson(result));
   return result.passed();
 }
 

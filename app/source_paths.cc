@@ -1,10 +1,10 @@
 #include "app/source_paths.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <vector>
 
 #include "core/check.h"
+#include "core/files.h"
 #include "motion/timeline/motion_file.h"
 
 namespace nao::app {
@@ -17,10 +17,9 @@ namespace fs = std::filesystem;
 std::vector<fs::path> motionsIn(const std::string& folder) {
   std::vector<fs::path> files;
   if (!fs::is_directory(folder)) return files;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.is_directory() || motion::isMotionFile(entry)) files.push_back(entry.path());
+  for (const fs::path& entry : listFolder(folder)) {
+    if (fs::is_directory(entry) || motion::isMotionFile(entry)) files.push_back(entry);
   }
-  std::sort(files.begin(), files.end());
   return files;
 }
 

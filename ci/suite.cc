@@ -1,6 +1,5 @@
 #include "ci/suite.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -9,6 +8,7 @@
 #include "ci/scenario.h"
 #include "ci/sentence.h"
 #include "core/check.h"
+#include "core/files.h"
 
 namespace nao::ci {
 namespace {
@@ -91,11 +91,10 @@ std::string keep(const std::string& recording, const Result& result, SuiteSettin
 std::vector<Job> findJobs(const std::string& path, std::size_t most_seeds) {
   std::vector<std::string> files;
   if (fs::is_directory(path)) {
-    for (const auto& entry : fs::directory_iterator(path)) {
-      if (entry.path().extension() == ".yaml") files.push_back(entry.path());
+    for (const fs::path& entry : listFolder(path)) {
+      if (entry.extension() == ".yaml") files.push_back(entry);
     }
     if (files.empty()) throw InputError(path + ": there is no scenario (*.yaml) in it");
-    std::sort(files.begin(), files.end());
   } else {
     files.push_back(path);
   }

@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "core/check.h"
+#include "core/files.h"
 #include "core/robot_model_parts.h"
 
 namespace nao {
@@ -17,11 +18,9 @@ bool holdsRobot(const fs::path& folder) {
 
 std::string knownRobots(const std::string& robots_dir) {
   std::vector<std::string> names;
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(robots_dir, ignored)) {
-    if (holdsRobot(entry.path())) names.push_back(entry.path().filename().string());
+  for (const fs::path& folder : listReadable(robots_dir)) {
+    if (holdsRobot(folder)) names.push_back(folder.filename().string());
   }
-  std::sort(names.begin(), names.end());
   std::string list;
   for (const std::string& robot : names) list += (list.empty() ? "" : ", ") + robot;
   return list.empty() ? "(none in " + robots_dir + ")" : list;

@@ -2,9 +2,9 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
 #include "core/check.h"
+#include "core/files.h"
 #include "validation/png.h"
 
 namespace nao::validation {
@@ -81,9 +81,7 @@ void Film::add(const SceneFrame& scene) {
 void Film::addToFolder(const camera::Raster& picture) {
   char name[32];
   std::snprintf(name, sizeof name, "frame_%05d.png", count_);
-  std::ofstream file(fs::path(target_) / name, std::ios::binary);
-  if (!(file << encodePng(picture)))
-    throw InputError("--video " + target_ + ": can not write here");
+  writeFile("--video", (fs::path(target_) / name).string(), encodePng(picture));
 }
 
 void Film::addToPipe(const camera::Raster& picture) {

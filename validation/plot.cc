@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "core/check.h"
+#include "core/files.h"
 
 namespace nao::validation {
 namespace {
@@ -214,7 +215,7 @@ void draw(const Picture& picture, const std::string& file) {
   requirePlot(file);
   const ScratchFolder scratch;
   const fs::path script = scratch.path() / "plot.gp";
-  std::ofstream(script) << Script(picture, file).text();
+  writeFile("", script.string(), Script(picture, file).text());
   const std::string command = "gnuplot '" + script.string() + "' >&2";
   if (std::system(command.c_str()) != 0) {
     throw InputError("--plot " + file + ": gnuplot could not draw it, see its message above");

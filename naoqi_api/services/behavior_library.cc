@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/check.h"
+#include "core/files.h"
 #include "motion/timeline/manifest.h"
 #include "motion/timeline/motion_file.h"
 
@@ -53,9 +54,8 @@ void BehaviorLibrary::addFolder(const fs::path& folder) {
 void BehaviorLibrary::addTree(const fs::path& folder, const std::string& prefix, int depth) {
   if (depth > kDeepest) return;
   std::error_code unreadable;  // what can not be read is not installed
-  for (const auto& entry : fs::directory_iterator(folder, unreadable)) {
-    const fs::path& path = entry.path();
-    if (!entry.is_directory(unreadable)) {
+  for (const fs::path& path : listReadable(folder)) {
+    if (!fs::is_directory(path, unreadable)) {
       if (motion::isMotionFile(path)) add(joined(prefix, path.stem()), path);
     } else if (fs::exists(path / kBehavior, unreadable)) {
       add(joined(prefix, path.filename()), path);

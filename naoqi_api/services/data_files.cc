@@ -3,6 +3,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "core/files.h"
 #include "naoqi_api/call_error.h"
 
 namespace nao::services {
@@ -12,12 +13,13 @@ using rpc::CallError;
 namespace {
 
 std::uintmax_t sizeOf(const fs::path& folder) {
-  std::uintmax_t size = 0;
-  std::error_code failed;
-  for (const auto& entry : fs::recursive_directory_iterator(folder, failed)) {
-    if (entry.is_regular_file(failed)) size += entry.file_size(failed);
+  std::uintmax_t all = 0;
+  for (const fs::path& file : listReadableBelow(folder)) {
+    std::error_code gone;
+    const std::uintmax_t size = fs::file_size(file, gone);
+    if (!gone) all += size;
   }
-  return size;
+  return all;
 }
 
 }  // namespace

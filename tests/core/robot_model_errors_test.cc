@@ -79,8 +79,7 @@ TEST(BrokenRobot, UnknownNameListsTheKnownOnes) {
   } catch (const InputError& error) {
     const std::string text = error.what();
     EXPECT_EQ(text.rfind("robot 'pepper' is unknown, expected one of: ", 0), 0u) << text;
-    EXPECT_NE(text.find("nao_h21_v33, nao_h21_v33_ideal, nao_h21_v33_no_hull"),
-              std::string::npos)
+    EXPECT_NE(text.find("nao_h21_v33, nao_h21_v33_ideal, nao_h21_v33_no_hull"), std::string::npos)
         << text;
   }
 }

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "core/check.h"
+#include "core/files.h"
 #include "tests/hidden/figures.h"
 #include "tests/hidden/preset.h"
 #include "tests/hidden/track_record.h"
@@ -88,7 +89,7 @@ std::vector<std::string> tryAll(const Arguments& arguments) {
     if (done.count(name) == 0) {
       if (arguments.most > 0 && made == arguments.most) break;
       done[name] = runTrial(cases[i], arguments.place);
-      std::ofstream(results, std::ios::app) << done[name] << "\n" << std::flush;
+      appendToFile("", results.string(), done[name] + "\n");
       ++made;
     }
     lines.push_back(done[name]);
@@ -120,12 +121,9 @@ void run(const Arguments& arguments) {
   }
   if (arguments.record.empty()) return;
   using validation::VerdictRecords;
-  const VerdictRecords record = trackRecord(
-      lines, arguments.add ? VerdictRecords::read(arguments.record) : VerdictRecords());
-  std::ofstream out(arguments.record);
-  if (!(out << toYaml(record)).flush()) {
-    throw InputError("--record " + arguments.record + ": can not be written");
-  }
+  const VerdictRecords record =
+      trackRecord(lines, arguments.add ? VerdictRecords::read(arguments.record) : VerdictRecords());
+  writeFile("--record", arguments.record, toYaml(record));
 }
 
 }  // namespace

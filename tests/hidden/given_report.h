@@ -30,8 +30,8 @@ struct GivenJoint {
 
 /// The part of report.json that is judged.
 struct GivenReport {
-  std::string verdict;             // of the set
-  std::vector<GivenCause> causes;  // that are of interest, the one that explains most first
+  std::string verdict;                  // of the set
+  std::vector<GivenCause> causes;       // that are of interest, the one that explains most first
   std::vector<GivenCause> adjustments;  // what is told beside them, too small to be a cause
   std::vector<GivenJoint> joints;
   std::vector<std::string> faults;  // of the data, by kind: "swapped", "clock" ...

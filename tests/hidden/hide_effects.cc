@@ -2,11 +2,11 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <set>
 
 #include "core/check.h"
+#include "core/files.h"
 #include "core/random.h"
 #include "tests/hidden/hidden_set.h"
 #include "tests/hidden/preset.h"
@@ -139,7 +139,7 @@ void run(const Arguments& arguments) {
   }
   validation::writeLogSet(made.set, arguments.folder);
   const std::string truth = fs::path(arguments.folder).lexically_normal().string() + ".truth.json";
-  std::ofstream(truth) << toJson(made.truth) << "\n";
+  writeFile("", truth, toJson(made.truth) + "\n");
   std::printf("%s: diagnose it with --model %s; what is hidden stands in %s\n",
               arguments.folder.c_str(), hidden.robot().c_str(), truth.c_str());
 }

@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "core/check.h"
+#include "core/files.h"
 #include "core/robot_model.h"
 
 namespace nao::hidden {
@@ -23,9 +24,7 @@ using Json = nlohmann::ordered_json;
 
 void write(const fs::path& file, const std::string& text) {
   fs::create_directories(file.parent_path());
-  std::ofstream out(file);
-  out << text << "\n";
-  if (!out) throw InputError(file.string() + ": cannot be written");
+  writeFile("", file.string(), text + "\n");
 }
 
 std::string read(const fs::path& file) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/config.h"
+#include "core/files.h"
 #include "validation/diagnosis/prepared_set.h"
 #include "validation/diagnosis/team.h"
 #include "validation/diagnosis/whole_replay.h"
@@ -150,11 +151,7 @@ int openTestRuns(const LogSet& set, const std::string& set_folder, const std::st
   if (std::none_of(set.runs.begin(), set.runs.end(), tests)) {
     throw InputError(set.name + ": no run has the split `test`, expected at least one");
   }
-  const std::string file = set_folder + "/test_openings.txt";
-  {
-    std::ofstream out(file, std::ios::app);
-    if (!(out << by << "\n")) throw InputError(file + ": can not be written");
-  }
+  appendToFile("", set_folder + "/test_openings.txt", by + "\n");
   return countTestOpenings(set_folder);
 }
 

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "core/check.h"
+#include "core/files.h"
 
 namespace nao::validation {
 namespace {
@@ -25,8 +26,8 @@ KeptWork::KeptWork(std::string folder, const std::string& key) : folder_(std::mo
   const std::optional<std::string> before = find(kKey);
   if (before) found_ = *before == key ? Found::Same : Found::Other;
   if (found_ == Found::Other) {
-    for (const auto& entry : fs::directory_iterator(folder_, failed)) {
-      if (entry.path().extension() == kEnding) fs::remove(entry.path(), failed);
+    for (const fs::path& file : listReadable(folder_)) {
+      if (file.extension() == kEnding) fs::remove(file, failed);
     }
   }
   if (found_ != Found::Same) keep(kKey, key);
@@ -54,11 +55,7 @@ void KeptWork::keep(const std::string& unit, const std::string& content) const {
   if (!keeps()) return;
   const std::string file = fileOf(unit);
   const std::string unfinished = file + "." + std::to_string(::getpid());
-  std::ofstream out(unfinished, std::ios::binary);
-  if (!(out << content << kWhole).flush()) {
-    throw InputError(unfinished + ": can not be written");
-  }
-  out.close();
+  writeFile("", unfinished, content + kWhole);
   std::error_code failed;
   fs::rename(unfinished, file, failed);
   if (failed) throw InputError(file + ": can not be written");

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "core/check.h"
+#include "core/files.h"
 #include "validation/log/convert_formats.h"
 #include "validation/log/robot_log_files.h"
 
@@ -25,12 +26,11 @@ std::vector<std::string> listLogFiles(const std::string& from) {
   if (!std::filesystem::is_directory(from)) {
     files.push_back(from);
   } else {
-    for (const auto& entry : std::filesystem::directory_iterator(from)) {
-      const std::string file = entry.path().string();
+    for (const std::filesystem::path& entry : listFolder(from)) {
+      const std::string file = entry.string();
       const bool data = isJson(file) || endsWith(file, ".csv") || endsWith(file, ".csv.gz");
-      if (entry.is_regular_file() && data) files.push_back(file);
+      if (data && std::filesystem::is_regular_file(entry)) files.push_back(file);
     }
-    std::sort(files.begin(), files.end());
   }
   if (files.empty()) throw InputError(from + ": expected .json or .csv files, found none");
   return files;

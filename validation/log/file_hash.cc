@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/check.h"
+#include "core/files.h"
 
 namespace nao::validation {
 namespace {
@@ -62,13 +63,11 @@ bool isBelow(const fs::path& file, const fs::path& folder) {
 }  // namespace
 
 std::string sha256OfFolder(const std::string& folder, const std::string& except) {
-  std::error_code failed;
   std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder, failed)) {
-    if (!except.empty() && isBelow(entry.path(), except)) continue;
-    if (entry.is_regular_file()) files.push_back(entry.path().lexically_relative(folder));
+  for (const fs::path& file : listFilesBelow(folder)) {
+    if (!except.empty() && isBelow(file, except)) continue;
+    files.push_back(file.lexically_relative(folder));
   }
-  if (failed) throw InputError(folder + ": expected a folder that can be read");
   std::sort(files.begin(), files.end());
   Sha256 hash;
   for (const fs::path& file : files) {

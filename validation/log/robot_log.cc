@@ -1,21 +1,12 @@
 #include "validation/log/robot_log.h"
 
 #include <filesystem>
-#include <fstream>
 
 #include "core/check.h"
+#include "core/files.h"
 #include "validation/log/robot_log_files.h"
 
 namespace nao::validation {
-namespace {
-
-void writeFile(const std::string& file, const std::string& text) {
-  std::ofstream out(file, std::ios::binary);
-  if (!(out << text)) throw InputError(file + ": the file can not be written");
-}
-
-}  // namespace
-
 const char* nameOf(Split split) {
   switch (split) {
     case Split::Fit:
@@ -47,8 +38,8 @@ void writeLogSet(const LogSet& set, const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw InputError(folder + ": the folder can not be made: " + error.message());
-  writeFile(folder + "/meta.json", formatMeta(set));
-  for (const LogRun& run : set.runs) writeFile(folder + "/" + run.file, formatRows(run));
+  writeFile("", folder + "/meta.json", formatMeta(set));
+  for (const LogRun& run : set.runs) writeFile("", folder + "/" + run.file, formatRows(run));
 }
 
 }  // namespace nao::validation

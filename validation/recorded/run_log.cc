@@ -1,8 +1,7 @@
 #include "validation/recorded/run_log.h"
 
-#include <fstream>
-
 #include "core/check.h"
+#include "core/files.h"
 #include "validation/log/robot_log_files.h"
 #include "validation/log/simulated_rows.h"
 
@@ -35,9 +34,6 @@ LogSet RunLog::set(const std::string& source) const {
   return set;
 }
 
-void writeRows(const LogRun& run, const std::string& file) {
-  std::ofstream out(file, std::ios::binary);
-  if (!(out << formatRows(run))) throw InputError(file + ": the file can not be written");
-}
+void writeRows(const LogRun& run, const std::string& file) { writeFile("", file, formatRows(run)); }
 
 }  // namespace nao::validation

@@ -6,6 +6,7 @@
 
 #include "naoqi_api/call_error.h"
 #include "tests/core/temporary_folder.h"
+#include "tests/core/unprivileged.h"
 
 namespace nao::services {
 namespace {
@@ -41,6 +42,16 @@ TEST_F(DataFiles, NothingLeadsOutOfTheFolder) {
 
 TEST_F(DataFiles, TheQuotaHolds) {
   EXPECT_THROW(writeDataFile(folder_, "big", std::string(kDataQuota + 1, 'x')), CallError);
+}
+
+TEST_F(DataFiles, AFolderThatMayNotBeReadStopsNobody) {
+  fs::create_directories(folder_ / "closed");
+  fs::permissions(place_.path(), fs::perms::all);
+  fs::permissions(folder_, fs::perms::all);
+  fs::permissions(folder_ / "closed", fs::perms::none);
+  const Unprivileged nobody;
+  writeDataFile(folder_, "a.txt", "hello");
+  EXPECT_TRUE(findDataFile(folder_, "a.txt"));
 }
 
 }  // namespace
