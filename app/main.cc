@@ -5,8 +5,9 @@
 #include "core/check.h"
 
 // Exit codes: 0 done, 1 something failed on the way, 2 the user asked for something impossible,
-// 3 a motion was played, but parts of its file could not be read, 20 recorded data have faults.
-// `run` ends with the exit code of its program.
+// 3 a motion was played, but parts of its file could not be read, 10 to 13 a diagnosis did not end
+// with "no discrepancy" (validation/diagnosis/verdict.h), 20 recorded data have faults. `run` ends
+// with the exit code of its program.
 int main(int argc, char** argv) {
   CLI::App app("UsarNaoQi: a simulated Nao that speaks the Nao's own protocols.", "usarnaoqi");
   app.require_subcommand(1);

@@ -183,9 +183,8 @@ void addServe(CLI::App& app) {
       ->add_option("--speed", arguments->speed,
                    "Simulated seconds per second, or 'max' for as fast as it goes.")
       ->capture_default_str();
-  command
-      ->add_flag("--paused", options.paused,
-                 "Time stands at first, until UsarSim.resume or UsarSim.step.");
+  command->add_flag("--paused", options.paused,
+                    "Time stands at first, until UsarSim.resume or UsarSim.step.");
   command
       ->add_option(
           "--seed", options.seed,

@@ -116,7 +116,7 @@ struct Posture {
 
 /// One stop on a way: some joints get there together, the others stay as they are told.
 struct WayKey {
-  double time = 0;  // [s] after the stop before
+  double time = 0;                               // [s] after the stop before
   std::vector<std::pair<Joint, double>> angles;  // [rad]
   /// The torso's pitch [rad] at which the way goes on: 0 upright, + forward, +-pi upside down.
   double pitch_low = -4;
@@ -194,8 +194,8 @@ struct RobotModel {
 };
 
 /// Reads robots/<name>/ below `robots_dir`: model.urdf, body.yaml, postures.yaml, ways.yaml,
-/// cameras.yaml; or, if `name` is a path that ends in .urdf, that file. A URDF alone is completed by defaults
-/// (core/robot_model_bare.cc), told in RobotModel::notes.
+/// cameras.yaml; or, if `name` is a path that ends in .urdf, that file. A URDF alone is completed
+/// by defaults (core/robot_model_bare.cc), told in RobotModel::notes.
 /// @throws InputError naming file and line; for an unknown name it lists the known ones.
 std::shared_ptr<const RobotModel> loadRobotModel(const std::string& robots_dir,
                                                  const std::string& name);

@@ -59,8 +59,8 @@ std::vector<EffectSetting> readEffects(Config& body, const std::string& key,
 /// postures.yaml; every posture gives every actuator an angle within its range.
 void readPostures(const std::string& file, RobotModel& model);
 
-/// ways.yaml, one `{name, from: [families], to: family, keys: [...]}` per way; needs the postures. A
-/// key is `{time, pitch: [low, high], patience, angles: {joint: rad}}`. A joint named without its
+/// ways.yaml, one `{name, from: [families], to: family, keys: [...]}` per way; needs the postures.
+/// A key is `{time, pitch: [low, high], patience, angles: {joint: rad}}`. A joint named without its
 /// side means both of a Nao, the right one mirrored: rolls and yaws change their sign.
 void readWays(const std::string& file, RobotModel& model);
 

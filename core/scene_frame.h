@@ -13,8 +13,8 @@
 
 namespace nao {
 
-/// Ground truth at one instant: where everything really is. For camera, viewer, validation and
-/// UsarSim only; no NaoQi service may see it (tests/architecture_test.cc).
+/// Ground truth at one instant: where everything really is. For camera, validation and UsarSim
+/// only; no NaoQi service may see it (tests/architecture).
 struct SceneFrame {
   struct Robot {
     std::string name;

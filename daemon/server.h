@@ -31,7 +31,6 @@ class Server {
   ~Server();
 
   std::uint16_t port() const { return listener_.port(); }
-  std::size_t connectionCount() const { return sessions_.size(); }
   void close();
 
  private:

@@ -39,7 +39,6 @@ class Schedule {
 
   JointSet booked() const;          // by running jobs
   std::vector<Task> tasks() const;  // running jobs
-  bool isIdle() const { return running_.empty() && waiting_.empty(); }
 
   /// How jobs ended since the last call, in order.
   std::vector<MotionOutcome> takeOutcomes();

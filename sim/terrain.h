@@ -27,7 +27,6 @@ class Terrain {
   }
   /// In place of those there were.
   void setWet(const std::vector<WetPatch>& patches);
-  const Vec3& groundNormal() const { return normal_; }
   Spot overGround(const Vec3& p_W) const { return {kGround, normal_.dot(p_W), normal_}; }
 
   int obstacleCount() const { return static_cast<int>(obstacles_.size()); }

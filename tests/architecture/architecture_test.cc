@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -7,6 +8,7 @@
 #include <regex>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace nao {
 namespace {
@@ -60,20 +62,29 @@ struct Include {
   std::string included;
 };
 
-std::vector<Include> allIncludes() {
-  const std::regex include_line(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
-  std::vector<Include> found;
+std::vector<fs::path> allSources() {
+  std::vector<fs::path> found;
   for (const auto& [folder, unused] : kMayInclude) {
     const fs::path root = fs::path(NAO_SOURCE_DIR) / folder;
     if (!fs::exists(root)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(root)) {
-      if (entry.path().extension() != ".h" && entry.path().extension() != ".cc") continue;
-      std::ifstream file(entry.path());
-      std::smatch match;
-      for (std::string line; std::getline(file, line);) {
-        if (std::regex_search(line, match, include_line)) {
-          found.push_back({folder, entry.path(), match.str(1)});
-        }
+      const fs::path& file = entry.path();
+      if (file.extension() == ".h" || file.extension() == ".cc") found.push_back(file);
+    }
+  }
+  return found;
+}
+
+std::vector<Include> allIncludes() {
+  const std::regex include_line(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
+  std::vector<Include> found;
+  for (const fs::path& file : allSources()) {
+    const std::string folder = file.lexically_relative(NAO_SOURCE_DIR).begin()->string();
+    std::ifstream in(file);
+    std::smatch match;
+    for (std::string line; std::getline(in, line);) {
+      if (std::regex_search(line, match, include_line)) {
+        found.push_back({folder, file, match.str(1)});
       }
     }
   }
@@ -103,6 +114,46 @@ TEST(Architecture, NaoQiServicesNeverSeeTheTruth) {
   for (const auto& [folder, file, included] : allIncludes()) {
     if (folder != "naoqi_api" && folder != "motion" && folder != "walk_engine") continue;
     EXPECT_NE(included, "core/scene_frame.h") << file;
+  }
+}
+
+// Elsewhere time is simulated, or runs would differ. Folders and files.
+const std::set<std::string> kMayReadTheWall = {
+    "app",
+    "ci",
+    "clock",
+    "daemon",
+    "naoqi_api/sdk/cpp",
+    "naoqi_api/wire/dispatcher.cc",              // what a call costs
+    "validation/process.cc",                     // what a process takes
+    "validation/diagnosis/whole_diagnosis.cc"};  // time left
+
+bool mayReadTheWall(const fs::path& file) {
+  return std::any_of(kMayReadTheWall.begin(), kMayReadTheWall.end(), [&](const std::string& place) {
+    return file.generic_string().rfind(place, 0) == 0;
+  });
+}
+
+TEST(Architecture, WallClocksAreReadInFewPlaces) {
+  const std::regex reads(R"(_clock::now|clock_gettime|gettimeofday|std::time\()");
+  std::set<std::string> places;
+  for (const fs::path& file : allSources()) {
+    std::ifstream in(file);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    if (!std::regex_search(text, reads)) continue;
+    const fs::path name = file.lexically_relative(NAO_SOURCE_DIR);
+    EXPECT_TRUE(mayReadTheWall(name)) << name << " reads a wall clock";
+    places.insert(name.generic_string());
+  }
+  EXPECT_GT(places.size(), 5U);
+}
+
+// What is only for tests, benchmarks and tools does not get into the program.
+TEST(Architecture, SourcesIncludeNoTests) {
+  for (const auto& [folder, file, included] : allIncludes()) {
+    const std::string other = included.substr(0, included.find('/'));
+    EXPECT_TRUE(other != "tests" && other != "bench" && other != "tools")
+        << file << " includes " << included;
   }
 }
 

@@ -8,6 +8,7 @@
 #include <althread/alcriticalsection.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <future>
 #include <utility>
 
@@ -110,7 +111,8 @@ TEST_F(ModuleTest, AnEventReachesItWithItsNameValueAndMessage) {
 
 TEST_F(ModuleTest, ACallbackMayTakeNoArguments) {
   AL::ALMemoryProxy(broker_).raiseEvent("TestTouch", 1.0F);
-  module_->touched.get_future().get();
+  EXPECT_EQ(module_->touched.get_future().wait_for(std::chrono::seconds(20)),
+            std::future_status::ready);
 }
 
 TEST_F(ModuleTest, AMethodMayCallItsOwnModule) { EXPECT_EQ(proxy_.call<float>("askMyself"), 2.5F); }
