@@ -29,11 +29,12 @@ namespace nao::app {
 namespace {
 
 constexpr char kKept[] = "/unfinished";  // in --out
+constexpr char kRecord[] = "validation/record/diagnosis.yaml";
 
 struct Arguments {
   std::string set, model, out, budget, joint, from;
   std::string level = "joint";
-  std::string robots_dir = "robots", record = "validation/record/diagnosis.yaml";
+  std::string robots_dir = "robots", record = kRecord;
   int jobs = 1;
   bool json = false;
 };
@@ -74,7 +75,7 @@ std::vector<validation::JointTask> tasksOf(const validation::PreparedSet& set,
     if (!only.empty() && joint.simulator->joint() != only) continue;
     tasks.push_back({joint.simulator.get(), joint.noise});
   }
-  if (tasks.empty()) throw InputError("the set has no joint " + only + " that was measured");
+  if (tasks.empty()) throw InputError("--joint " + only + ": it was not measured in all runs");
   return tasks;
 }
 
@@ -97,6 +98,15 @@ void prepareFolder(const std::string& folder) {
   writeFile("--out", partOf(report), "");
   std::filesystem::remove(partOf(report));
   validation::requireGnuplot();
+}
+
+// What the set can not answer is told before the work.
+void requireWhatIsAsked(const Arguments& arguments, const validation::LogSet& set) {
+  requireRuns(set, {validation::Split::Fit});
+  const auto is_asked = [&](const auto& joint) { return joint.name == arguments.joint; };
+  if (!arguments.joint.empty() && std::none_of(set.joints.begin(), set.joints.end(), is_asked)) {
+    throw InputError("--joint " + arguments.joint + ": expected a joint of the set");
+  }
 }
 
 // A walk answers its sensors: repeats of it need not have the same commands, and each run is
@@ -183,7 +193,11 @@ void report(const Arguments& arguments, const std::string& json, const std::stri
 }
 
 validation::VerdictRecords recordsOf(const Arguments& arguments) {
-  return validation::VerdictRecords::read(findSourceFile(arguments.record));
+  const std::string file = findSourceFile(arguments.record);
+  if (arguments.record != kRecord && !std::filesystem::exists(file)) {
+    throw InputError("--record " + arguments.record + ": expected a file, found none");
+  }
+  return validation::VerdictRecords::read(file);
 }
 
 int leastRepeats(const validation::LogSet& set) {
@@ -276,6 +290,7 @@ void runJoints(const Arguments& arguments, const validation::LogSet& set,
 void diagnose(const Arguments& arguments, const std::shared_ptr<const validation::Team>& team,
               StandBy& stand_by) {
   const validation::LogSet set = validation::readLogSet(arguments.set);
+  requireWhatIsAsked(arguments, set);
   const std::string name = arguments.model.empty() ? set.robot : arguments.model;
   const auto model = loadRobotModel(findSourceFile(arguments.robots_dir), name);
   stopAtFaults(set, *model, arguments.level, *team);

@@ -8,12 +8,13 @@
 #include "app/source_paths.h"
 #include "validation/diagnosis/empirical.h"
 #include "validation/diagnosis/merge_effects.h"
+#include "validation/diagnosis/report_file.h"
 
 namespace nao::app {
 namespace {
 
 struct Options {
-  std::string report, model = "nao_h21_v33", robots_dir = "robots", name;
+  std::string report, model, robots_dir = "robots", name;
   std::string set;
   validation::Accepted accepted;
   bool empirical = false, causes_only = false;
@@ -48,8 +49,11 @@ std::vector<EffectSetting> empiricalEffects(const Options& options, const std::s
 
 void run(const Options& options) {
   const std::string robots = findSourceFile(options.robots_dir);
-  const auto model = loadRobotModel(robots, options.model);
   const std::string report = options.report + "/report.json";
+  const auto model = loadRobotModel(robots, validation::reportedModel(report, options.model));
+  if (!options.set.empty() && !options.empirical) {
+    throw InputError("--set " + options.set + ": expected --empirical beside it");
+  }
   validation::requireNewRobot(robots, options.name);
   std::vector<EffectSetting> causes;
   if (!options.empirical || !options.accepted.causes.empty()) {
@@ -68,7 +72,7 @@ void run(const Options& options) {
   }
   const std::string file = validation::writeExtendedRobot(
       robots, options.name, *model, causes, "Accepted from the diagnosis in " + options.report);
-  std::printf("%s: %s with %zu more effect%s", file.c_str(), options.model.c_str(), accepted,
+  std::printf("%s: %s with %zu more effect%s", file.c_str(), model->name.c_str(), accepted,
               accepted == 1 ? "" : "s");
   std::printf(" and %zu small adjustments\n", causes.size() - accepted);
 }
@@ -91,7 +95,8 @@ void addExtend(CLI::App& app) {
   command->add_option("--set", options->set, "The diagnosed set, for --empirical.");
   command->add_option("--jobs", options->jobs, "Threads; the result is the same.")
       ->check(CLI::Range(1, 64));
-  command->add_option("--model", options->model, "The nominal robot.")->capture_default_str();
+  command->add_option("--model", options->model,
+                      "The nominal robot; the report's own if not given.");
   command->add_option("-o,--output", options->name, "Name of the new robot.")->required();
   command->add_option("--robots-dir", options->robots_dir, "Where the robots' folders are.")
       ->capture_default_str();

@@ -24,6 +24,7 @@ void run(const Options& options) {
   const std::string robots = findSourceFile(options.robots_dir);
   const validation::LogSet set =
       validation::runsOfOne(validation::readLogSet(options.set), options.robot_id);
+  requireRuns(set, {validation::Split::Fit});
   const auto model = loadRobotModel(robots, options.model.empty() ? set.robot : options.model);
   const bool whole = validation::isOnItsFeet(set, *model);
   const auto free = validation::parseFree(options.free, *model, whole);

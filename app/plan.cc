@@ -5,12 +5,13 @@
 #include "app/commands.h"
 #include "app/source_paths.h"
 #include "validation/diagnosis/next_experiment.h"
+#include "validation/diagnosis/report_file.h"
 
 namespace nao::app {
 namespace {
 
 struct Options {
-  std::string dir, model = "nao_h21_v33", joint, output, robots_dir = "robots";
+  std::string dir, model, joint, output, robots_dir = "robots";
   int repeats = 6, jobs = 1;
   bool json = false;
 };
@@ -25,8 +26,10 @@ const validation::AmbiguousJoint& chosen(const std::vector<validation::Ambiguous
 }
 
 void run(const Options& options) {
-  const auto model = loadRobotModel(findSourceFile(options.robots_dir), options.model);
-  const auto all = validation::ambiguousJoints(options.dir + "/report.json", *model);
+  const std::string found = options.dir + "/report.json";
+  const auto model = loadRobotModel(findSourceFile(options.robots_dir),
+                                    validation::reportedModel(found, options.model));
+  const auto all = validation::ambiguousJoints(found, *model);
   const auto& ambiguous = chosen(all, options.joint);
   const auto experiments =
       validation::planExperiments(model, ambiguous, options.repeats, options.jobs);
@@ -44,7 +47,8 @@ void addPlan(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "plan", "The next experiment that tells apart what a diagnosis could not, as a motion file.");
   command->add_option("dir", options->dir, "What `diagnose --out` wrote.")->required();
-  command->add_option("--model", options->model, "The nominal robot.")->capture_default_str();
+  command->add_option("--model", options->model,
+                      "The nominal robot; the report's own if not given.");
   command->add_option("--joint", options->joint, "This joint; default: the first ambiguous one.");
   command->add_option("-o,--output", options->output,
                       "The motion file (.motion); default: next.motion in the folder.");

@@ -112,6 +112,7 @@ Report replayWholeSet(const LogSet& set, std::shared_ptr<const RobotModel> model
 
 Report replaySet(const LogSet& set, std::shared_ptr<const RobotModel> model,
                  const ReplayOptions& options) {
+  requireRuns(set, {Split::Fit, Split::Select});
   if (isOnItsFeet(set, *model)) {
     return replayWholeSet(set, std::move(model), options);
   }

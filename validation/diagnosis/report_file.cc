@@ -18,6 +18,16 @@ void readReport(const std::string& file, const std::function<void(const nlohmann
   }
 }
 
+std::string reportedModel(const std::string& file, const std::string& wanted) {
+  std::string model;
+  readReport(file, [&](const nlohmann::json& report) { report.at("model").get_to(model); });
+  if (!wanted.empty() && wanted != model) {
+    throw InputError("--model " + wanted + ": expected '" + model + "', the nominal robot of " +
+                     file);
+  }
+  return model;
+}
+
 ReportedPlace::ReportedPlace(const std::string& text) {
   const std::size_t slash = text.rfind('/');
   name = slash == std::string::npos ? text : text.substr(slash + 1);

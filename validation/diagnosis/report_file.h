@@ -13,6 +13,10 @@ namespace nao::validation {
 /// @throws InputError if it can not be read, is none, or lacks what `take` asks it for.
 void readReport(const std::string& file, const std::function<void(const nlohmann::json&)>& take);
 
+/// The nominal robot of a report. `wanted`: what the user calls it; empty: as the report says.
+/// @throws InputError if the user calls it otherwise.
+std::string reportedModel(const std::string& file, const std::string& wanted);
+
 /// Where something was found: "LHipPitch", "LLeg", "robot"; "7/LHipPitch" in a report of several
 /// robots.
 struct ReportedPlace {

@@ -24,6 +24,17 @@ const Column* LogRun::find(const std::string& name) const {
   return found == columns.end() ? nullptr : &found->second;
 }
 
+void requireRuns(const LogSet& set, const std::vector<Split>& splits) {
+  std::string expected;
+  for (const Split split : splits) {
+    for (const LogRun& run : set.runs) {
+      if (run.split == split) return;
+    }
+    expected += std::string(expected.empty() ? "" : " or ") + nameOf(split);
+  }
+  throw InputError(set.name + ": expected at least one run with the split " + expected);
+}
+
 LogSet readLogSet(const std::string& folder) {
   const std::string meta = folder + "/meta.json";
   LogSet set = parseMeta(readPacked(meta), meta);

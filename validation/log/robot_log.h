@@ -92,6 +92,9 @@ struct LogSet {
 /// "fit", "select" or "test".
 const char* nameOf(Split split);
 
+/// @throws InputError if the set has no run of any of these splits.
+void requireRuns(const LogSet& set, const std::vector<Split>& splits);
+
 /// Reads FOLDER/meta.json and the runs it lists (.csv, or .csv.gz).
 /// @throws InputError with file, row, column and what was expected.
 LogSet readLogSet(const std::string& folder);

@@ -27,6 +27,7 @@ LogSet RunLog::set(const std::string& source) const {
   set.name = "recorded run of " + replayer_.simulation().robotName(robot_);
   set.source = source;
   LogRun& run = set.runs.emplace_back(run_);
+  for (double& time : run.t) time -= run_.t.front();  // a run's times count from its begin
   run.motion = "run";
   run.file = "run.csv";
   run.robot_id = replayer_.simulation().robotName(robot_);

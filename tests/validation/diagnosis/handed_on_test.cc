@@ -6,6 +6,7 @@
 #include "core/config.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/support/models.h"
+#include "validation/diagnosis/report_file.h"
 
 namespace nao::validation {
 namespace {
@@ -83,6 +84,15 @@ TEST(HandedOn, StandsAmongTheCausesOfALevelThatDoesNotTryItByItself) {
   EXPECT_EQ(found[1].chosen.cause, tried);
   EXPECT_EQ(causes.back().cause.id, "motor_inertia");
   EXPECT_EQ(causes.back().joints, std::vector<Joint>{*model->findJoint("LKneePitch")});
+}
+
+TEST(ReportFile, NamesItsNominalRobot) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("report.json", R"({"model": "nao_h25_v50"})");
+  EXPECT_EQ(reportedModel(file, ""), "nao_h25_v50");
+  EXPECT_EQ(reportedModel(file, "nao_h25_v50"), "nao_h25_v50");
+  EXPECT_THROW(reportedModel(file, "nao_h21_v33"), InputError);
+  EXPECT_THROW(reportedModel(folder.write("other.json", "{}"), ""), InputError);
 }
 
 }  // namespace

@@ -193,5 +193,19 @@ TEST(RobotLog, TellsAMissingSetAndOneWithoutRows) {
   EXPECT_THROW(readLogSet(folder.path()), InputError);
 }
 
+TEST(LogSet, SaysWhichSplitItLacks) {
+  LogSet set;
+  set.name = "kicks";
+  set.runs.resize(1);
+  set.runs[0].split = Split::Test;
+  EXPECT_NO_THROW(requireRuns(set, {Split::Select, Split::Test}));
+  try {
+    requireRuns(set, {Split::Fit, Split::Select});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "kicks: expected at least one run with the split fit or select");
+  }
+}
+
 }  // namespace
 }  // namespace nao::validation
