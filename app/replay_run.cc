@@ -60,7 +60,7 @@ void writeSignals(const ReplayRunOptions& options, const validation::RunLog& log
   if (set.runs[0].t.empty()) {
     throw InputError("--from, --to: the run has no cycle between them");
   }
-  if (!options.csv.empty()) validation::writeRows(set.runs[0], options.csv);
+  if (!options.csv.empty()) validation::writeRows(log.run(), options.csv);
   if (!options.set_out.empty()) validation::writeLogSet(set, options.set_out);
 }
 

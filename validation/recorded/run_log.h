@@ -19,6 +19,8 @@ class RunLog {
   RunLog(const RunLog&) = delete;
   RunLog& operator=(const RunLog&) = delete;
 
+  /// The rows at the times of the recorded run [s].
+  const LogRun& run() const { return run_; }
   /// All of it as a set of one run.
   LogSet set(const std::string& source) const;
 

@@ -71,6 +71,7 @@ class RecordingTest(FolderTest):
         rows = self.read("run.csv").splitlines()
         self.assertEqual(float(rows[1].split(",")[0]), 1)
         self.assertIn("q.LKneePitch", rows[0].split(","))
+        self.assertRegex(self.read("set/run.csv").splitlines()[1], r"^0(\.0*)?,")
         self.assertIn("No fault was found", self.usarnaoqi("check-data", "set").stdout)
 
     def testWhatIsNoRecordingIsToldInOneSentence(self):
