@@ -133,8 +133,8 @@ class Gridder {
         motion.load.has_value() == run.load.has_value() &&
         (!run.load || (motion.load->mass == run.load->mass && motion.load->link == run.load->link));
     if (motion.kp_scale == run.kp_scale && loads_alike) return;
-    throw InputError(run.file + ": expected the gain and load of the other runs of '" +
-                     run.motion + "'");
+    throw InputError(run.file + ": expected the gain and load of the other runs of '" + run.motion +
+                     "'");
   }
 
   GriddedMotion::Run gridded(const LogRun& run, const GriddedMotion& motion) const {
