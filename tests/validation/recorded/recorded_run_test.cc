@@ -62,7 +62,9 @@ TEST_F(RecordedRun, IsWrittenAsTheSensorsAndCommandsOfEveryCycle) {
   const LogSet set = log.set("test");
   ASSERT_EQ(set.runs.size(), 1u);
   EXPECT_EQ(set.robot, "nao_h21_v33");
-  EXPECT_EQ(set.runs[0].t, times);
+  EXPECT_EQ(log.run().t, times);
+  EXPECT_EQ(set.runs[0].t.front(), 0);  // of a set, from its begin
+  EXPECT_NEAR(set.runs[0].t.back(), times.back() - times.front(), 1e-12);
   EXPECT_EQ(times.size(), 101u);
   EXPECT_EQ(set.runs[0].columns.at("q.LKneePitch"), knee);
   EXPECT_NEAR(set.runs[0].columns.at("gt.base.z").back(), 0.32, 0.05);  // it stands up
