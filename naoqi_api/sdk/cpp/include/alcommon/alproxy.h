@@ -5,6 +5,7 @@
 
 #include <boost/shared_ptr.hpp>
 
+#include <alcore/alptr.h>
 #include <alerror/alerror.h>
 #include <alvalue/alvalue.h>
 #include <usarnaoqi_sdk/cast.h>
