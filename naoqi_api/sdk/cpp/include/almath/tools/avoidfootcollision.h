@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <almath/types/alpose2d.h>
+#include <almath/types/alposition2d.h>
 
 namespace AL {
 namespace Math {
@@ -71,6 +72,18 @@ inline bool avoidFootCollision(const std::vector<Pose2D>& left_box,
   }
   move.theta = free;
   return true;
+}
+
+/// The same with boxes of points.
+inline bool avoidFootCollision(const std::vector<Position2D>& left_box,
+                               const std::vector<Position2D>& right_box,
+                               const bool& is_left_support, Pose2D& move) {
+  std::vector<Pose2D> boxes[2];
+  for (std::size_t i = 0; i < left_box.size(); ++i)
+    boxes[0].push_back(Pose2D(left_box[i].x, left_box[i].y, 0));
+  for (std::size_t i = 0; i < right_box.size(); ++i)
+    boxes[1].push_back(Pose2D(right_box[i].x, right_box[i].y, 0));
+  return avoidFootCollision(boxes[0], boxes[1], is_left_support, move);
 }
 
 }  // namespace Math

@@ -42,7 +42,12 @@ struct Pose2D : detail::VectorSpace<Pose2D, 3> {
     return (x - other.x) * (x - other.x) + (y - other.y) * (y - other.y);
   }
   float distance(const Pose2D& other) const { return std::sqrt(distanceSquared(other)); }
+  /// Where the place lies from the origin [rad].
   float getAngle() const { return std::atan2(y, x); }
+  /// The place's distance from the origin [m]; theta counts for nothing.
+  float norm() const { return std::sqrt(x * x + y * y); }
+  /// All three numbers divided by norm(). @throws std::runtime_error at the origin.
+  Pose2D normalize() const { return *this / norm(); }
 
   static float Pose2D::*field(int i) {
     static float Pose2D::*const kFields[] = {&Pose2D::x, &Pose2D::y, &Pose2D::theta};
@@ -52,7 +57,10 @@ struct Pose2D : detail::VectorSpace<Pose2D, 3> {
 
 inline Pose2D pose2DInverse(const Pose2D& pose) { return pose.inverse(); }
 inline void pose2DInverse(const Pose2D& pose, Pose2D& inverse) { inverse = pose.inverse(); }
+inline void pose2dInvertInPlace(Pose2D& pose) { pose = pose.inverse(); }
 inline Pose2D pinv(const Pose2D& pose) { return pose.inverse(); }
+/// `b` as seen from `a`.
+inline Pose2D pose2dDiff(const Pose2D& a, const Pose2D& b) { return a.diff(b); }
 inline float distance(const Pose2D& a, const Pose2D& b) { return a.distance(b); }
 inline float distanceSquared(const Pose2D& a, const Pose2D& b) { return a.distanceSquared(b); }
 

@@ -45,6 +45,9 @@ inline float distanceSquared(const Position2D& a, const Position2D& b) {
 }
 inline float dotProduct(const Position2D& a, const Position2D& b) { return a.dotProduct(b); }
 inline float crossProduct(const Position2D& a, const Position2D& b) { return a.crossProduct(b); }
+inline void crossProduct(const Position2D& a, const Position2D& b, float& product) {
+  product = a.crossProduct(b);
+}
 
 }  // namespace Math
 }  // namespace AL

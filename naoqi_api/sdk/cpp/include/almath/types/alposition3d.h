@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <almath/types/alvectorspace.h>
+#include <almath/types/alvelocity3d.h>
 
 namespace AL {
 namespace Math {
@@ -38,6 +39,11 @@ struct Position3D : detail::VectorSpace<Position3D, 3> {
     return kFields[i];
   }
 };
+
+/// A way and a rate [1/s] make a velocity, from this side alone: p * 2 is a position.
+inline Velocity3D operator*(float rate, const Position3D& p) {
+  return Velocity3D(rate * p.x, rate * p.y, rate * p.z);
+}
 
 inline float norm(const Position3D& p) { return p.norm(); }
 inline Position3D normalize(const Position3D& p) { return p.normalize(); }

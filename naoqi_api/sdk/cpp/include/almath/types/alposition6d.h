@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <almath/types/alvectorspace.h>
+#include <almath/types/alvelocity6d.h>
 
 namespace AL {
 namespace Math {
@@ -23,6 +24,7 @@ struct Position6D : detail::VectorSpace<Position6D, 6> {
   /// @throws std::runtime_error unless there are 6 numbers.
   explicit Position6D(const std::vector<float>& numbers) { read(numbers); }
 
+  /// Between the points alone, as distance() is [m].
   float distanceSquared(const Position6D& other) const {
     const float dx = x - other.x;
     const float dy = y - other.y;
@@ -30,6 +32,8 @@ struct Position6D : detail::VectorSpace<Position6D, 6> {
     return dx * dx + dy * dy + dz * dz;
   }
   float distance(const Position6D& other) const { return std::sqrt(distanceSquared(other)); }
+  /// All six numbers divided by norm(). @throws std::runtime_error for 0
+  Position6D normalize() const { return *this / norm(); }
 
   static float Position6D::*field(int i) {
     static float Position6D::*const kFields[] = {&Position6D::x,  &Position6D::y,  &Position6D::z,
@@ -37,6 +41,18 @@ struct Position6D : detail::VectorSpace<Position6D, 6> {
     return kFields[i];
   }
 };
+
+/// A way and a rate [1/s] make a velocity, from this side alone: p * 2 is a position.
+inline Velocity6D operator*(float rate, const Position6D& p) {
+  return Velocity6D(rate * p.x, rate * p.y, rate * p.z, rate * p.wx, rate * p.wy, rate * p.wz);
+}
+
+inline float norm(const Position6D& p) { return p.norm(); }
+inline Position6D normalize(const Position6D& p) { return p.normalize(); }
+inline float distance(const Position6D& a, const Position6D& b) { return a.distance(b); }
+inline float distanceSquared(const Position6D& a, const Position6D& b) {
+  return a.distanceSquared(b);
+}
 
 }  // namespace Math
 }  // namespace AL

@@ -25,5 +25,7 @@ struct Rotation3D : detail::VectorSpace<Rotation3D, 3> {
   }
 };
 
+inline float norm(const Rotation3D& turns) { return turns.norm(); }
+
 }  // namespace Math
 }  // namespace AL

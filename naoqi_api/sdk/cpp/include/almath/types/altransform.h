@@ -6,6 +6,7 @@
 
 #include <almath/types/alposition3d.h>
 #include <almath/types/alposition6d.h>
+#include <almath/types/alrotation.h>
 
 namespace AL {
 namespace Math {
@@ -90,11 +91,19 @@ struct Transform {
   }
   /// What brings this to the other: this.diff(other) is inverse() * other.
   Transform diff(const Transform& other) const { return inverse() * other; }
+  /// Of the shift [m].
   float norm() const { return Position3D(r1_c4, r2_c4, r3_c4).norm(); }
-  float determinant() const {
-    return r1_c1 * (r2_c2 * r3_c3 - r2_c3 * r3_c2) - r1_c2 * (r2_c1 * r3_c3 - r2_c3 * r3_c1) +
-           r1_c3 * (r2_c1 * r3_c2 - r2_c2 * r3_c1);
+  /// Of the turn.
+  float determinant() const { return rotation().determinant(); }
+  /// Whether its turn is one, within `epsilon`.
+  bool isTransform(float epsilon = 0.0001f) const { return rotation().isRotation(epsilon); }
+  /// Makes its turn exactly one again: see Rotation::normalizeRotation().
+  void normalizeTransform() {
+    Rotation turn = rotation();
+    turn.normalizeRotation();
+    for (int i = 0; i < 9; ++i) at(i / 3, i % 3) = turn.at(i);
   }
+  /// Between the origins [m^2].
   float distanceSquared(const Transform& other) const {
     return Position3D(r1_c4, r2_c4, r3_c4)
         .distanceSquared(Position3D(other.r1_c4, other.r2_c4, other.r3_c4));
@@ -109,6 +118,7 @@ struct Transform {
     all.insert(all.end(), last, last + 4);
     return all;
   }
+  void toVector(std::vector<float>& all) const { all = toVector(); }
 
   static Transform fromRotX(float angle) { return turn(1, 2, angle); }
   static Transform fromRotY(float angle) { return turn(2, 0, angle); }
@@ -131,6 +141,11 @@ struct Transform {
   }
 
  private:
+  Rotation rotation() const {
+    Rotation turn;
+    for (int i = 0; i < 9; ++i) turn.at(i) = at(i / 3, i % 3);
+    return turn;
+  }
   // From axis `a` towards axis `b`.
   static Transform turn(int a, int b, float angle) {
     Transform result;
@@ -141,11 +156,46 @@ struct Transform {
   }
 };
 
+inline Transform transformFromRotX(float angle) { return Transform::fromRotX(angle); }
+inline Transform transformFromRotY(float angle) { return Transform::fromRotY(angle); }
+inline Transform transformFromRotZ(float angle) { return Transform::fromRotZ(angle); }
+inline Transform transformFrom3DRotation(float wx, float wy, float wz) {
+  return Transform::from3DRotation(wx, wy, wz);
+}
+inline Transform transformFromPosition(float x, float y, float z) { return Transform(x, y, z); }
+inline Transform transformFromPosition(float x, float y, float z, float wx, float wy, float wz) {
+  return Transform::fromPosition(x, y, z, wx, wy, wz);
+}
+
 inline Transform transformInverse(const Transform& transform) { return transform.inverse(); }
+inline void transformInverse(const Transform& transform, Transform& inverse) {
+  inverse = transform.inverse();
+}
+inline void transformInvertInPlace(Transform& transform) { transform = transform.inverse(); }
 inline Transform pinv(const Transform& transform) { return transform.inverse(); }
+/// `second` becomes first * second.
+inline void transformPreMultiply(const Transform& first, Transform& second) {
+  second = first * second;
+}
+inline void normalizeTransform(Transform& transform) { transform.normalizeTransform(); }
+inline float norm(const Transform& transform) { return transform.norm(); }
 inline float determinant(const Transform& transform) { return transform.determinant(); }
+/// Of the turn of a transform's 12 or 16 numbers. @throws std::runtime_error
+inline float determinant(const std::vector<float>& numbers) {
+  return Transform(numbers).determinant();
+}
+inline std::vector<float> transformToFloatVector(const Transform& transform) {
+  return transform.toVector();
+}
+inline void transformToFloatVector(const Transform& transform, std::vector<float>& all) {
+  all = transform.toVector();
+}
 inline float distance(const Transform& a, const Transform& b) { return a.distance(b); }
 inline float distanceSquared(const Transform& a, const Transform& b) {
+  return a.distanceSquared(b);
+}
+inline float transformDistance(const Transform& a, const Transform& b) { return a.distance(b); }
+inline float transformDistanceSquared(const Transform& a, const Transform& b) {
   return a.distanceSquared(b);
 }
 inline Transform transformDiff(const Transform& a, const Transform& b) { return a.diff(b); }

@@ -59,6 +59,8 @@ struct VectorSpace {
     writeToVector(all);
     return all;
   }
+  void toVector(std::vector<float>& all) const { all = toVector(); }
+  /// At the end of `all`.
   void writeToVector(std::vector<float>& all) const {
     for (int i = 0; i < kCount; ++i) all.push_back(at(i));
   }

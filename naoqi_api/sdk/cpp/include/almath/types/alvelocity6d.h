@@ -23,6 +23,9 @@ struct Velocity6D : detail::VectorSpace<Velocity6D, 6> {
   /// @throws std::runtime_error unless there are 6 numbers.
   explicit Velocity6D(const std::vector<float>& numbers) { read(numbers); }
 
+  /// All numbers divided by norm(). @throws std::runtime_error for 0
+  Velocity6D normalize() const { return *this / norm(); }
+
   static float Velocity6D::*field(int i) {
     static float Velocity6D::*const kFields[] = {&Velocity6D::xd,  &Velocity6D::yd,
                                                  &Velocity6D::zd,  &Velocity6D::wxd,
@@ -30,6 +33,9 @@ struct Velocity6D : detail::VectorSpace<Velocity6D, 6> {
     return kFields[i];
   }
 };
+
+inline float norm(const Velocity6D& v) { return v.norm(); }
+inline Velocity6D normalize(const Velocity6D& v) { return v.normalize(); }
 
 }  // namespace Math
 }  // namespace AL
