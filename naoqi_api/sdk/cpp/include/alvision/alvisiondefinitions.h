@@ -18,12 +18,20 @@ const int kSimulator3D = 6;
 const int kStereo = 7;
 const int kOV4689 = 8;
 
+// Their fields of view [degrees], horizontal and vertical.
+const float kApertureH_OV7670 = 47.8f;
+const float kApertureV_OV7670 = 36.8f;
+const float kApertureH_MT9M114 = 60.9f;
+const float kApertureV_MT9M114 = 47.6f;
+
 // Sizes of images.
-const int kQQVGA = 0;        // 160 x 120
-const int kQVGA = 1;         // 320 x 240
-const int kVGA = 2;          // 640 x 480
-const int k4VGA = 3;         // 1280 x 960
-const int k16VGA = 4;        // 2560 x 1920
+const int kQQVGA = 0;  // 160 x 120
+const int kQVGA = 1;   // 320 x 240
+const int kVGA = 2;    // 640 x 480
+const int k4VGA = 3;   // 1280 x 960
+const int k960p = k4VGA;
+const int k16VGA = 4;  // 2560 x 1920
+const int k1920p = k16VGA;
 const int k720p = 5;         // 1280 x 720
 const int k1080p = 6;        // 1920 x 1080
 const int kQQQVGA = 7;       // 80 x 60
@@ -49,6 +57,7 @@ const int kHsyColorSpace = 6;
 const int khSyColorSpace = 7;
 const int khsYColorSpace = 8;
 const int kYUV422ColorSpace = 9;
+const int kYUV422InterlacedColorSpace = kYUV422ColorSpace;
 const int kYUVColorSpace = 10;
 const int kRGBColorSpace = 11;
 const int kHSYColorSpace = 12;
@@ -91,6 +100,7 @@ const int kCameraSetDefaultParamsID = 19;
 const int kCameraColorSpaceID = 20;
 const int kCameraExposureCorrectionID = 21;
 const int kCameraExposureAlgorithmID = 22;
+const int kCameraAecAlgorithmID = kCameraExposureAlgorithmID;
 const int kCameraFastSwitchID = 23;
 const int kCameraSharpnessID = 24;
 const int kCameraAwbGreenGainID = 25;
@@ -137,23 +147,46 @@ inline int getResolutionFromSize(int width, int height) {
   return -1;
 }
 
-/// Layers of an image in a colour space, as its third field counts them; -1 for one not known.
+inline bool isResolutionValid(int resolution) {
+  return resolution >= kQQVGA && resolution <= kQQQQ720px2;
+}
+
+inline bool isColorSpaceValid(int space) {
+  return space >= kYuvColorSpace && space <= kLChuvColorSpace;
+}
+
+/// Channels of a pixel, however many bytes each of them has; -1 for a space whose are not known.
+inline int getNumChannelsInColorSpace(int space) {
+  static const int kChannels[] = {1, 1, 1, 1, 1, 1, 1, 1, 1,  2, 3,  3,  3, 3,
+                                  2, 3, 3, 1, 4, 3, 1, 1, -1, 1, -1, -1, -1};
+  return isColorSpaceValid(space) ? kChannels[space] : -1;
+}
+
+/// Bytes of a pixel, which an image's third field counts; -1 for a space whose are not known.
 inline int getNumLayersInColorSpace(int space) {
   switch (space) {
-    case kYUV422ColorSpace:
-    case kYYCbCrColorSpace:
-      return 2;
-    case kYUVColorSpace:
-    case kRGBColorSpace:
-    case kHSYColorSpace:
-    case kBGRColorSpace:
-    case kH2RGBColorSpace:
-    case kHSMixedColorSpace:
-      return 3;
+    case kDepthColorSpace:
+    case kInfraredColorSpace:
+    case kDistanceColorSpace:
+    case kRawDepthColorSpace:
+      return 2;  // of one channel
+    case kXYZColorSpace:
+      return 12;  // of three floats
     default:
-      return (space >= kYuvColorSpace && space <= khsYColorSpace) || space == kDepthColorSpace ? 1
-                                                                                               : -1;
+      return getNumChannelsInColorSpace(space);
   }
+}
+
+/// The share of an image's width or height that an angle has, where its border angles are `low` and
+/// `high`; all [rad].
+inline float convertAngleValToNormalizedImgVal(const float& angle, const float& low,
+                                               const float& high) {
+  return angle / (high - low);
+}
+/// Where in the image a direction is: 0 at `low`, 1 at `high`; all [rad].
+inline float convertAnglePosToNormalizedImgPos(const float& angle, const float& low,
+                                               const float& high) {
+  return (angle - low) / (high - low);
 }
 
 }  // namespace AL
