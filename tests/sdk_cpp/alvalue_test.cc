@@ -2,6 +2,7 @@
 #include <alvalue/alvalue.h>
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <sstream>
 
 namespace AL {
@@ -64,6 +65,135 @@ TEST(AlValue, IsEqualByTypeAndContent) {
   EXPECT_TRUE(ALValue::array(1, "a") == ALValue::array(1, "a"));
   EXPECT_TRUE(ALValue(1) != ALValue(1.0F));
   EXPECT_TRUE(ALValue() == ALValue());
+}
+
+TEST(AlValue, IsMadeOfPlainArrays) {
+  const char* names[] = {"HeadYaw", "HeadPitch"};
+  const float angles[] = {0.5F, -0.25F};
+  const int ids[] = {1, 2, 3};
+  EXPECT_EQ(ALValue(names, 2).toString(), "[\"HeadYaw\", \"HeadPitch\"]");
+  EXPECT_EQ(ALValue(angles, 2).toString(), "[0.5, -0.25]");
+  EXPECT_EQ(ALValue(ids, 3).toString(), "[1, 2, 3]");
+}
+
+TEST(AlValue, IsMadeOfBytesAndGivesThemBack) {
+  const ALValue::TAlValueBinaryData bytes = {1, 0, 255};
+  const ALValue value = bytes;
+  EXPECT_TRUE(value.isBinary());
+  EXPECT_EQ(value.asRaw(), bytes);
+  EXPECT_EQ(static_cast<const void*>(value), value.GetBinary());
+  EXPECT_THROW(ALValue(1).asRaw(), ALError);
+}
+
+TEST(AlValue, ATextIsWrittenToInPlace) {
+  ALValue value;
+  static_cast<std::string&>(value) += "Yaw";
+  EXPECT_EQ(value.toString(AL::VerbosityMini), "\"Yaw\"");
+  EXPECT_EQ(value.getSize(), 3U);
+  ALValue number(1);
+  EXPECT_THROW(static_cast<std::string&>(number).clear(), ALError);
+}
+
+TEST(AlValue, ListsLeaveOutOrReplaceWhatDoesNotFit) {
+  const ALValue mixed = ALValue::array(1, "a", 0.5F);
+  std::vector<float> numbers = {9};
+  mixed.ToFloatArray(numbers);
+  EXPECT_EQ(numbers, (std::vector<float>{1, 0.5F}));
+  std::vector<std::string> texts;
+  mixed.ToStringArray(texts, true);
+  EXPECT_EQ(texts, (std::vector<std::string>{"", "a", ""}));
+  std::vector<int> whole;
+  mixed.ToIntArray(whole);
+  EXPECT_EQ(whole, std::vector<int>{1});
+  EXPECT_THROW(ALValue(1).ToIntArray(whole), ALError);
+}
+
+TEST(AlValue, RoomIsReservedInArraysAlone) {
+  ALValue array;
+  array.arrayReserve(5);
+  EXPECT_EQ(array.getSize(), 0U);
+  ALValue number(1);
+  EXPECT_THROW(number.arrayReserve(5), ALError);
+}
+
+TEST(AlValue, GivesItsNumberAndItsItemsThemselves) {
+  ALValue number(0.5F);
+  *static_cast<float*>(number.getPtrValue()) = 2;
+  EXPECT_EQ(static_cast<float>(number), 2);
+  ALValue array = ALValue::array(1, 2);
+  array.getArrayPtr()->push_back(3);
+  EXPECT_EQ(array.getSize(), 3U);
+  EXPECT_THROW(array.getPtrValue(), ALError);
+  EXPECT_THROW(number.getArrayPtr(), ALError);
+}
+
+TEST(AlValue, AnObjectIsBytesOfAnotherType) {
+  ALValue value;
+  EXPECT_TRUE(value.setObject("abc", 3).isObject());
+  EXPECT_EQ(value.getSize(), 3U);
+  EXPECT_EQ(std::string(static_cast<const char*>(value.getObject()), 3), "abc");
+  EXPECT_THROW(value.GetBinary(), ALError);
+  EXPECT_TRUE(value != ALValue("abc", 3));
+}
+
+TEST(AlValue, TypesHaveNames) {
+  EXPECT_EQ(ALValue::TypeToString(ALValue().getType()), "Invalid");
+  EXPECT_EQ(ALValue::TypeToString(ALValue::TypeBinary), "Binary");
+}
+
+TEST(AlValue, ComesBackFromItsText) {
+  const ALValue value =
+      ALValue::array(36, -3, "to\"to\\", 3.0F, 0.1F, true, ALValue::array(ALValue::array()));
+  ALValue back;
+  back.unSerializeFromText(value.serializeToText().c_str());
+  EXPECT_TRUE(back == value) << back << value.serializeToText();
+  EXPECT_THROW(static_cast<void>(ALValue("abc", 3).serializeToText()), ALError);
+}
+
+TEST(AlValue, ATextsTypeIsDeduced) {
+  EXPECT_EQ(ALValue::deduceType("5"), ALValue::TypeInt);
+  EXPECT_EQ(ALValue::deduceType(" 5e2 "), ALValue::TypeFloat);
+  EXPECT_EQ(ALValue::deduceType("'toto'"), ALValue::TypeString);
+  EXPECT_EQ(ALValue::deduceType("[3,5]"), ALValue::TypeArray);
+  EXPECT_EQ(ALValue::deduceType("12, 3", 2), ALValue::TypeInt);
+  EXPECT_EQ(ALValue::deduceType(""), ALValue::TypeInvalid);
+}
+
+TEST(AlValue, ATextThatIsNoValueIsRefused) {
+  ALValue value(7);
+  for (const char* text : {"[1", "[1 2]", "[1,]", "toto", "'a", "1]", "]", ","})
+    EXPECT_THROW(value.unSerializeFromText(text), ALError) << text;
+  EXPECT_THROW(value.unSerializeFromText(std::string(100000, '[').c_str()), ALError);
+  EXPECT_EQ(static_cast<int>(value), 7);
+}
+
+// The examples of RFC 4648.
+TEST(AlValue, BytesGoThroughBase64) {
+  const char* pairs[][2] = {{"", ""},
+                            {"f", "Zg=="},
+                            {"fo", "Zm8="},
+                            {"foo", "Zm9v"},
+                            {"foob", "Zm9vYg=="},
+                            {"fooba", "Zm9vYmE="},
+                            {"foobar", "Zm9vYmFy"}};
+  for (const auto& [plain, encoded] : pairs) {
+    const ALValue bytes(static_cast<const void*>(plain), static_cast<int>(std::strlen(plain)));
+    std::string text;
+    bytes.encodeB64(text);
+    EXPECT_EQ(text, encoded);
+    ALValue back;
+    EXPECT_TRUE(back.decodeB64(encoded));
+    EXPECT_TRUE(back == bytes);
+  }
+}
+
+TEST(AlValue, WhatIsNotBase64ChangesNothing) {
+  ALValue value(7);
+  for (const char* text : {"Z", "Zg=", "Z===", "Zg==Zg==", "Zm9*", "===="})
+    EXPECT_FALSE(value.decodeB64(text)) << text;
+  EXPECT_TRUE(value.isInt());
+  EXPECT_TRUE(value.decodeB64Object("Zg=="));
+  EXPECT_TRUE(value.isObject());
 }
 
 TEST(AlError, SaysModuleMethodAndWhy) {

@@ -46,9 +46,16 @@ ALValue::operator const std::string&() const {
   return text_;
 }
 
+ALValue::operator std::string&() {
+  if (!isValid()) *this = std::string();
+  if (!isString()) fail("a string");
+  return text_;
+}
+
 unsigned int ALValue::getSize() const {
   if (isArray()) return static_cast<unsigned int>(items_.size());
-  if (isBinary()) return static_cast<unsigned int>(byte_count_);
+  if (isString()) return static_cast<unsigned int>(text_.size());
+  if (isBinary() || isObject()) return static_cast<unsigned int>(byte_count_);
   return isValid() ? 1 : 0;
 }
 
@@ -56,6 +63,12 @@ void ALValue::arraySetSize(int size) {
   if (isValid() && !isArray()) fail("an array");
   type_ = TypeArray;
   items_.resize(static_cast<std::size_t>(size < 0 ? 0 : size));
+}
+
+void ALValue::arrayReserve(int size) {
+  if (isValid() && !isArray()) fail("an array");
+  type_ = TypeArray;
+  items_.reserve(static_cast<std::size_t>(size < 0 ? 0 : size));
 }
 
 void ALValue::arrayPush(const ALValue& item) {
@@ -95,8 +108,9 @@ void ALValue::SetBinary(const void* bytes, int size) {
   SetBinary(std::shared_ptr<const void>(copy, copy->data()), size);
 }
 
-void ALValue::SetBinaryNoCopy(const void* bytes, int size) {
+ALValue& ALValue::SetBinaryNoCopy(const void* bytes, int size) {
   SetBinary(std::shared_ptr<const void>(std::shared_ptr<const void>(), bytes), size);
+  return *this;
 }
 
 void ALValue::SetBinary(std::shared_ptr<const void> bytes, int size) {
@@ -110,11 +124,55 @@ const void* ALValue::GetBinary() const {
   return bytes_.get();
 }
 
-std::string ALValue::toString() const {
+ALValue& ALValue::setObject(const void* bytes, int size) {
+  SetBinary(bytes, size);
+  type_ = TypeObject;
+  return *this;
+}
+
+const void* ALValue::getObject() const {
+  if (!isObject()) fail("an object");
+  return bytes_.get();
+}
+
+ALValue::TAlValueBinaryData ALValue::asRaw() const {
+  if (!isBinary() && !isObject()) fail("bytes");
+  const auto* first = static_cast<const unsigned char*>(bytes_.get());
+  return {first, first + byte_count_};
+}
+
+ALValue::TAlValueArray* ALValue::getArrayPtr() const {
+  if (!isArray()) fail("an array");
+  return const_cast<TAlValueArray*>(&items_);
+}
+
+void* ALValue::getPtrValue() {
+  if (!isBool() && !isInt() && !isFloat()) fail("a number");
+  return &number_;
+}
+
+void ALValue::ToStringArray(TStringArray& items, bool insert_default) const {
+  fill(items, insert_default, &ALValue::isString);
+}
+
+void ALValue::ToFloatArray(TFloatArray& items, bool insert_default) const {
+  fill(items, insert_default, &ALValue::isNumber);
+}
+
+void ALValue::ToIntArray(TIntArray& items, bool insert_default) const {
+  fill(items, insert_default, &ALValue::isInt);
+}
+
+std::string ALValue::TypeToString(Type type) {
+  static const char* const kNames[] = {"Invalid", "Array",  "Bool",   "Int",
+                                       "Float",   "String", "Object", "Binary"};
+  return kNames[type];
+}
+
+std::string ALValue::toString(Verbosity /*verbosity*/) const {
   std::ostringstream text;
   switch (type_) {
     case TypeInvalid:
-    case TypeObject:
       break;
     case TypeArray:
       text << '[';
@@ -135,6 +193,7 @@ std::string ALValue::toString() const {
     case TypeString:
       text << '"' << text_ << '"';
       break;
+    case TypeObject:
     case TypeBinary:
       text << '<' << byte_count_ << " bytes>";
       break;
@@ -155,12 +214,12 @@ bool ALValue::operator==(const ALValue& other) const {
       return number_.real == other.number_.real;
     case TypeString:
       return text_ == other.text_;
+    case TypeObject:
     case TypeBinary:
       return byte_count_ == other.byte_count_ &&
              std::memcmp(bytes_.get(), other.bytes_.get(), static_cast<std::size_t>(byte_count_)) ==
                  0;
     case TypeInvalid:
-    case TypeObject:
       break;
   }
   return true;

@@ -9,6 +9,9 @@
 
 namespace AL {
 
+/// How toString() writes.
+enum Verbosity { VerbosityMini };
+
 /// NaoQi's value of any type: nothing, a bool, an int, a float, a text, bytes, or an array of such
 /// values. Numbers and bools turn into each other when read, a text is never a number; reading a
 /// value as something it can not be throws ALError.
@@ -24,7 +27,20 @@ class USARNAOQI_SDK_API ALValue {
     TypeObject,
     TypeBinary
   };
+  typedef int TALValueInt;
+  typedef float TALValueFloat;
+  typedef double TALValueDouble;
+  typedef bool TALValueBool;
+  typedef std::string TALValueString;
+  typedef std::vector<unsigned char> TAlValueBinaryData;
+  typedef TAlValueBinaryData::iterator ITAlValueBinaryData;
+  typedef TAlValueBinaryData::const_iterator CITAlValueBinaryData;
   typedef std::vector<ALValue> TAlValueArray;
+  typedef TAlValueArray::iterator ITAlValueArray;
+  typedef TAlValueArray::const_iterator CITAlValueArray;
+  typedef std::vector<std::string> TStringArray;
+  typedef std::vector<float> TFloatArray;
+  typedef std::vector<int> TIntArray;
 
   ALValue() : type_(TypeInvalid), number_() {}
   ALValue(const bool& truth) : type_(TypeBool) { number_.truth = truth; }
@@ -35,6 +51,19 @@ class USARNAOQI_SDK_API ALValue {
   ALValue(const std::string& text) : type_(TypeString), number_(), text_(text) {}
   /// Bytes, copied.
   ALValue(const void* bytes, int size) : number_() { SetBinary(bytes, size); }
+  ALValue(const TAlValueBinaryData& bytes) : number_() {
+    SetBinary(bytes.data(), static_cast<int>(bytes.size()));
+  }
+  /// Arrays of `count` items, copied.
+  ALValue(const char** texts, int count) : number_() {
+    assignAll(TStringArray(texts, texts + count));
+  }
+  ALValue(const float* numbers, int count) : number_() {
+    assignAll(TFloatArray(numbers, numbers + count));
+  }
+  ALValue(const int* numbers, int count) : number_() {
+    assignAll(TIntArray(numbers, numbers + count));
+  }
   ALValue(const std::vector<ALValue>& items) : type_(TypeArray), number_(), items_(items) {}
   ALValue(const std::vector<std::string>& items) : number_() { assignAll(items); }
   ALValue(const std::vector<float>& items) : number_() { assignAll(items); }
@@ -71,17 +100,28 @@ class USARNAOQI_SDK_API ALValue {
   operator float() const;
   operator double() const { return asNumber("a number"); }
   operator const std::string&() const;
+  /// To be written to; an invalid value becomes an empty text.
+  operator std::string&();
+  operator TAlValueBinaryData() const { return asRaw(); }
+  /// The bytes: see GetBinary().
+  explicit operator const void*() const { return GetBinary(); }
   operator std::vector<std::string>() const { return asVector<std::string>(); }
   operator std::vector<float>() const { return asVector<float>(); }
   operator std::vector<int>() const { return asVector<int>(); }
   operator std::vector<ALValue>() const { return asVector<ALValue>(); }
 
-  /// Items of an array, bytes of a binary, 1 of any other value, 0 of none.
+  /// The items that are texts, or numbers, or whole numbers; of any other, if `insert_default`, an
+  /// empty text or 0. @throws ALError if this is no array.
+  void ToStringArray(TStringArray& items, bool insert_default = false) const;
+  void ToFloatArray(TFloatArray& items, bool insert_default = false) const;
+  void ToIntArray(TIntArray& items, bool insert_default = false) const;
+
+  /// Items of an array, bytes of a text, binary or object, 1 of any other value, 0 of none.
   unsigned int getSize() const;
   /// An invalid value becomes an array; one of another type throws. Items that are added are
   /// invalid.
   void arraySetSize(int size);
-  void arrayReserve(int size) { items_.reserve(static_cast<std::size_t>(size)); }
+  void arrayReserve(int size);
   void arrayPush(const ALValue& item);
   void arrayPopFront();
   void arrayRemove(int index);
@@ -91,14 +131,40 @@ class USARNAOQI_SDK_API ALValue {
 
   /// Bytes: copied, kept as they are (whoever passes them keeps them alive), or asked for.
   void SetBinary(const void* bytes, int size);
-  void SetBinaryNoCopy(const void* bytes, int size);
+  ALValue& SetBinaryNoCopy(const void* bytes, int size);
   void SetBinary(std::shared_ptr<const void> bytes, int size);
   const void* GetBinary() const;
+  /// The same as an object, which only this process knows: a proxy sends nothing of it.
+  ALValue& setObject(const void* bytes, int size);
+  const void* getObject() const;
+  /// The bytes of a binary or an object, copied. @throws ALError for any other.
+  TAlValueBinaryData asRaw() const;
+
+  /// The items themselves. @throws ALError if this is no array.
+  TAlValueArray* getArrayPtr() const;
+  /// The 32 bits of an int or float, or a bool, themselves. @throws ALError for any other.
+  void* getPtrValue();
 
   void clear() { *this = ALValue(); }
 
   /// As text: [1, "a", 0.5].
-  std::string toString() const;
+  std::string toString(Verbosity verbosity = VerbosityMini) const;
+  /// "Invalid", "Array", "Bool", "Int", "Float", "String", "Object", "Binary".
+  static std::string TypeToString(Type type);
+
+  /// As a text that unSerializeFromText() makes the same value of. @throws ALError for bytes.
+  std::string serializeToText() const;
+  /// Of "[36, 3.5, true, 'a', \"b\"]", or its first `limit` characters; nothing of an empty text.
+  /// @throws ALError for what is no value.
+  void unSerializeFromText(const char* text, int limit = 0x7FFFFFFF);
+  /// What unSerializeFromText() would make of it. @throws ALError
+  static Type deduceType(const char* text, int limit = 0x7FFFFFFF);
+
+  /// The bytes of a binary or an object in base 64 (RFC 4648). @throws ALError for any other.
+  void encodeB64(std::string& text) const;
+  /// Becomes a binary, or an object; false, and as it was, if the text is not base 64.
+  bool decodeB64(const char* text);
+  bool decodeB64Object(const char* text);
 
   bool operator==(const ALValue& other) const;
   bool operator!=(const ALValue& other) const { return !(*this == other); }
@@ -120,6 +186,19 @@ class USARNAOQI_SDK_API ALValue {
     if (!isArray()) return items.push_back(static_cast<T>(*this)), items;
     for (std::size_t i = 0; i < items_.size(); ++i) items.push_back(static_cast<T>(items_[i]));
     return items;
+  }
+  bool isNumber() const { return isInt() || isFloat() || isBool(); }
+  template <class T>
+  void fill(std::vector<T>& items, bool insert_default, bool (ALValue::*fits)() const) const {
+    if (!isArray()) fail("an array");
+    items.clear();
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+      if ((items_[i].*fits)()) {
+        items.push_back(static_cast<T>(items_[i]));
+      } else if (insert_default) {
+        items.push_back(T());
+      }
+    }
   }
   template <class T>
   void assignAll(const std::vector<T>& items) {
