@@ -39,10 +39,10 @@ TEST(LocalImage, AProgramElsewhereGetsACopy) {
   const std::string window = video.subscribeCamera("far", 0, AL::kQVGA, AL::kYuvColorSpace, 30);
   const auto* image = static_cast<const AL::ALImage*>(video.getImageLocal(window));
   ASSERT_NE(image, nullptr);
-  EXPECT_EQ(image->getSize(), 320 * 240);
+  EXPECT_EQ(image->getSize(), 320U * 240U);
   const auto* raw = static_cast<const AL::ALImage*>(video.getDirectRawImageLocal(window));
   ASSERT_NE(raw, nullptr);
-  EXPECT_EQ(raw->getSize(), 2 * 320 * 240);
+  EXPECT_EQ(raw->getSize(), 2U * 320U * 240U);
   EXPECT_EQ(image->getWidth(), 320);  // still there
   EXPECT_TRUE(video.releaseImage(window));
   EXPECT_TRUE(video.releaseDirectRawImage(window));

@@ -115,7 +115,7 @@ TEST_F(ProxyTest, ACameraSendsPictures) {
   const AL::ALImage image(picture);
   EXPECT_EQ(image.getWidth(), 160);
   EXPECT_EQ(image.getHeight(), 120);
-  EXPECT_EQ(image.getSize(), 160 * 120 * 3);
+  EXPECT_EQ(image.getSize(), 160U * 120U * 3U);
   camera.unsubscribe(name);
 }
 

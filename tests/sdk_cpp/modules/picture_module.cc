@@ -29,7 +29,8 @@ class PictureModule : public AL::ALModule {
 
   AL::ALValue size() {
     const AL::ALImage* image = look(one_);
-    return AL::ALValue::array(image->getWidth(), image->getHeight(), image->getSize());
+    return AL::ALValue::array(image->getWidth(), image->getHeight(),
+                              static_cast<int>(image->getSize()));
   }
 
   bool sharesPixels() {
