@@ -2,6 +2,7 @@
 
 #include <alcommon/albroker.h>
 #include <alcommon/alproxy.h>
+#include <almemoryfastaccess/almemoryfastaccess.h>
 #include <alproxies/almemoryproxy.h>
 #include <alproxies/almotionproxy.h>
 #include <alproxies/alrobotpostureproxy.h>
@@ -82,6 +83,34 @@ TEST_F(ProxyTest, ARobotsRefusalIsAnAlError) {
   } catch (const AL::ALError& error) {
     EXPECT_STREQ(error.what(), "\tALMemory::getData\n\tData not found No/Such/Key");
   }
+}
+
+TEST_F(ProxyTest, PointersAreForLocalModules) {
+  AL::ALMemoryProxy memory(host_, robot_.port());
+  try {
+    memory.getDataPtr("Device/SubDeviceList/HeadYaw/Position/Sensor/Value");
+    FAIL();
+  } catch (const AL::ALError& error) {
+    EXPECT_EQ(error.getDescription(),
+              "Cannot be called remotely: only a local module has pointers");
+  }
+}
+
+TEST_F(ProxyTest, FastAccessReadsAndWritesAListOfKeys) {
+  const auto broker = AL::ALBroker::createBroker("broker", "0.0.0.0", 0, host_, robot_.port(), 0);
+  AL::ALMemoryProxy(broker).insertListData(
+      ALValue::array(ALValue::array("Test/A", 1), ALValue::array("Test/B", 2.5F)));
+  AL::ALMemoryFastAccess fast;
+  std::vector<float> values;
+  EXPECT_THROW(fast.GetValues(values), AL::ALError);
+  fast.ConnectToVariables(broker, {"Test/A", "Test/B"});
+  fast.GetValues(values);
+  EXPECT_EQ(values, (std::vector<float>{1, 2.5F}));
+  fast.SetValues(std::vector<int>{3, 4});
+  std::vector<int> whole;
+  fast.GetValues(whole);
+  EXPECT_EQ(whole, (std::vector<int>{3, 4}));
+  EXPECT_THROW(fast.SetValues(std::vector<int>{3}), AL::ALError);
 }
 
 TEST_F(ProxyTest, AnUnknownServiceIsToldAtOnce) {

@@ -17,13 +17,21 @@ OF_ALL = {"wait", "isRunning", "stop", "exit", "ping", "version", "call", "callV
 KEYWORDS = {"delete", "new", "register", "switch", "default", "class", "template", "operator",
             "private", "public", "this", "union", "export", "import", "continue", "break"}
 
-# What is no call alone: an image that a program of the same process reads as a pointer.
-LOCAL = {"getImageLocal": ("void*", "return detail::localImage(*this, {0}, false)"),
-         "getDirectRawImageLocal": ("void*", "return detail::localImage(*this, {0}, true)"),
-         "releaseImage": ("bool", "detail::releaseLocalImage({0}, false); "
-                                  "return call<bool>(\"releaseImage\", {0})"),
-         "releaseDirectRawImage": ("bool", "detail::releaseLocalImage({0}, true); "
-                                           "return call<bool>(\"releaseDirectRawImage\", {0})")}
+# What is no call alone: an image or a number that a program of the same process has a pointer to.
+LOCAL = {
+    "ALVideoDevice": {
+        "getImageLocal": ("void*", "return detail::localImage(*this, {0}, false)"),
+        "getDirectRawImageLocal": ("void*", "return detail::localImage(*this, {0}, true)"),
+        "releaseImage": ("bool", "detail::releaseLocalImage({0}, false); "
+                                 "return call<bool>(\"releaseImage\", {0})"),
+        "releaseDirectRawImage": ("bool", "detail::releaseLocalImage({0}, true); "
+                                          "return call<bool>(\"releaseDirectRawImage\", {0})")},
+    "ALMemory": {"getDataPtr": ("void*", "return detail::memoryPointer(*this, {0})")}}
+LOCAL_HEADERS = {"ALVideoDevice": "local_image.h", "ALMemory": "memory_pointer.h"}
+
+# Where what the daemon says of a method is not what the proxy does.
+MEANINGS = {("ALMemory", "getDataPtr"): "The key's int or float, as it is in each cycle: in a local "
+            "module only. @throws ALError elsewhere, or for a key that has no number."}
 
 HEADER = """#pragma once
 
@@ -110,10 +118,10 @@ def methodText(service, method, parameters, returned):
     passed = ", ".join(name for _, name in parameters)
     call = '"%s"%s' % (method["name"], ", " + passed if passed else "")
     body = "callVoid(%s)" % call if returned == "void" else "return call<%s>(%s)" % (returned, call)
-    if service == "ALVideoDevice" and method["name"] in LOCAL:
-        returned, body = LOCAL[method["name"]]
+    if method["name"] in LOCAL.get(service, {}):
+        returned, body = LOCAL[service][method["name"]]
         body = body.format(passed)
-    told = comment(method["meaning"])
+    told = comment(MEANINGS.get((service, method["name"]), method["meaning"]))
     return (told + "\n" if told else "") + \
         "  %s %s(%s) const { %s; }\n" % (returned, method["name"], declared, body)
 
@@ -136,6 +144,8 @@ def headerOf(service):
     for method in filter(isOwn, service["methods"]):
         parameters = parametersOf(method)
         returned = typesOf("(%s)" % method["returns"]) if method["returns"] != "v" else ["void"]
+        if method["name"] in LOCAL.get(service["name"], {}):
+            returned = ["ALValue"]  # which methodText() replaces
         if parameters is None or not returned:
             continue
         shape = (method["name"], tuple(kind for kind, _ in parameters))
@@ -146,8 +156,8 @@ def headerOf(service):
         posts += postText(method, parameters)
     return HEADER.format(service=service["name"], meaning=" ".join(service["meaning"].split()),
                          methods=methods, posts=posts,
-                         more="\n#include <usarnaoqi_sdk/local_image.h>"
-                         if service["name"] == "ALVideoDevice" else "")
+                         more="\n#include <usarnaoqi_sdk/%s>" % LOCAL_HEADERS[service["name"]]
+                         if service["name"] in LOCAL_HEADERS else "")
 
 
 def writeIfNew(path, text):

@@ -4,8 +4,11 @@
 
 #include <mutex>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "naoqi_api/sdk/cpp/src/addresses.h"
+#include "naoqi_api/sdk/cpp/src/memory_pointers.h"
 #include "naoqi_api/sdk/cpp/src/process_signals.h"
 
 namespace {
@@ -46,7 +49,9 @@ bool usarnaoqi_sdk_start(const UsarnaoqiRobot* robot, const char* name, void* cr
 }
 
 void usarnaoqi_sdk_cycle() {
-  for (const std::string& error : nao::client::runCycle()) {
+  std::vector<std::string> errors = nao::client::refreshMemoryPointers();
+  for (std::string& error : nao::client::runCycle()) errors.push_back(std::move(error));
+  for (const std::string& error : errors) {
     if (error != host().last_error && host().tell) host().tell(error.c_str());
     host().last_error = error;
   }
