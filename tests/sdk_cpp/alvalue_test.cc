@@ -5,8 +5,32 @@
 #include <cstring>
 #include <sstream>
 
+namespace {
+
+// As in a program's main().
+template <class T>
+std::string written(const T& it) {
+  std::ostringstream text;
+  text << it;
+  return text.str();
+}
+
+struct Own {};
+std::ostream& operator<<(std::ostream& out, const std::vector<Own>& list) {
+  return out << list.size() << " of its own";
+}
+
+}  // namespace
+
 namespace AL {
 namespace {
+
+TEST(AlValue, IsWrittenAndSoAreTheListsThatProxiesReturn) {
+  EXPECT_EQ(written(ALValue::array(1, "a")), "[1, \"a\"]");
+  EXPECT_EQ(written(std::vector<float>{0.5F, 1}), "[0.5, 1]");
+  EXPECT_EQ(written(std::vector<std::string>{"HeadYaw"}), "[\"HeadYaw\"]");
+  EXPECT_EQ(written(std::vector<Own>(2)), "2 of its own");
+}
 
 TEST(AlValue, GrowsIntoNestedArraysByIndex) {
   ALValue command;

@@ -216,4 +216,23 @@ class USARNAOQI_SDK_API ALValue {
 
 USARNAOQI_SDK_API std::ostream& operator<<(std::ostream& out, const ALValue& value);
 
+namespace detail {
+
+/// A list that a program writes as it is.
+struct WrittenList {
+  WrittenList(const std::vector<std::string>& items) : value(items) {}
+  WrittenList(const std::vector<float>& items) : value(items) {}
+  WrittenList(const std::vector<int>& items) : value(items) {}
+  WrittenList(const std::vector<bool>& items) : value(items) {}
+
+  ALValue value;
+};
+
+}  // namespace detail
 }  // namespace AL
+
+/// std::cout << motion.getAngles("Body", true): as an ALValue. A program's own operator goes
+/// before.
+inline std::ostream& operator<<(std::ostream& out, const AL::detail::WrittenList& list) {
+  return out << list.value;
+}
