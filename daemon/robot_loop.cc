@@ -34,6 +34,7 @@ RobotLoop::RobotLoop(runtime::Simulation& simulation, double speed,
 RobotLoop::~RobotLoop() { stop(); }
 
 void RobotLoop::start() {
+  publish();  // who asks before the first turn is told the truth, too
   thread_ = std::thread([this] { run(); });
 }
 

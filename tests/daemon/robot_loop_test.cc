@@ -52,6 +52,13 @@ TEST_F(RobotLoopTest, StepsExactlyAsFarAsItIsTold) {
   EXPECT_TRUE(loop_.state().get()->paused);
 }
 
+TEST_F(RobotLoopTest, SaysThatItIsPausedFromItsVeryBeginning) {
+  loop_.beginPaused();
+  loop_.start();
+  EXPECT_TRUE(loop_.state().get()->paused);
+  EXPECT_EQ(loop_.state().get()->speed, 1e6);
+}
+
 TEST_F(RobotLoopTest, APauseCutsStepsShort) {
   post(PauseWorld{});
   loop_.start();
