@@ -185,6 +185,8 @@ void addServe(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--paused", options.paused,
                     "Time stands at first, until UsarSim.resume or UsarSim.step.");
+  command->add_flag("--hung-up", options.hung_up,
+                    "Hangs every robot up by its torso, feet in the air, as `record` needs it.");
   command
       ->add_option(
           "--seed", options.seed,

@@ -6,6 +6,7 @@
 #include <csignal>
 
 #include "core/check.h"
+#include "core/suspend.h"
 #include "daemon/local_pictures.h"
 #include "daemon/random_name.h"
 
@@ -31,8 +32,8 @@ Pose2 placeOf(const RobotOption& robot, std::size_t i) {
 
 std::shared_ptr<const RobotModel> modelOf(const Options& options, const RobotOption& robot) {
   auto model = loadRobotModel(options.robots_dir, robot.model);
-  if (robot.effects.empty()) return model;
-  auto changed = std::make_shared<RobotModel>(*model);
+  if (robot.effects.empty() && !options.hung_up) return model;
+  auto changed = std::make_shared<RobotModel>(options.hung_up ? suspend(*model) : *model);
   changed->effects.insert(changed->effects.end(), robot.effects.begin(), robot.effects.end());
   return changed;
 }

@@ -32,6 +32,7 @@ struct LolaOption {
 struct Options {
   std::vector<RobotOption> robots;  // empty: those of the world file, else one nao_h21_v33, or
                                     // with LoLA a nao_h25_v60
+  bool hung_up = false;              // every robot by its torso, feet in the air
   std::string world = "worlds/empty.yaml";
   std::shared_ptr<const WorldModel> made_world;  // in place of that file; null: none
   std::string robots_dir = "robots";

@@ -75,6 +75,10 @@ class QiClient::Impl {
     throw rpc::CallError(service + " has no method " + method + " for these arguments");
   }
 
+  bool isAnswered(const Ticket& ticket) {
+    return connections_[ticket.connection]->hasAnswer(ticket.id);
+  }
+
   Value finish(const Ticket& ticket) {
     return connections_[ticket.connection]->answer(ticket.id, ticket.result);
   }
@@ -152,6 +156,8 @@ QiClient::Ticket QiClient::begin(const std::string& service, const std::string& 
                                  const std::vector<Value>& arguments) {
   return impl_->begin(service, method, arguments);
 }
+
+bool QiClient::isAnswered(const Ticket& ticket) { return impl_->isAnswered(ticket); }
 
 Value QiClient::finish(const Ticket& ticket) { return impl_->finish(ticket); }
 

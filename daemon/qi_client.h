@@ -34,6 +34,8 @@ class QiClient {
   /// Calls and does not wait.
   Ticket begin(const std::string& service, const std::string& method,
                const std::vector<rpc::Value>& arguments = {});
+  /// Whether a call has ended.
+  bool isAnswered(const Ticket& ticket);
   /// Waits for the end of a call; once for each.
   rpc::Value finish(const Ticket& ticket);
 

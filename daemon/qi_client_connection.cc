@@ -62,6 +62,11 @@ wire::Message QiClientConnection::receive(std::uint32_t id) {
   }
 }
 
+bool QiClientConnection::hasAnswer(std::uint32_t id) {
+  while (answers_.count(id) == 0 && socket_.available() > 0) take(receiveNext());
+  return answers_.count(id) > 0;
+}
+
 Value QiClientConnection::answer(std::uint32_t id, const std::string& signature) {
   const wire::Message message = receive(id);
   const bool dynamic = (message.flags & wire::kFlagDynamic) != 0;

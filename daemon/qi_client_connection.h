@@ -25,6 +25,9 @@ class QiClientConnection {
   /// Sends a call; the number to ask for its answer with.
   std::uint32_t send(const wire::Address& address, const rpc::Value& arguments);
 
+  /// Whether the answer to a call has come.
+  bool hasAnswer(std::uint32_t id);
+
   wire::Message receive(std::uint32_t id);
 
   /// The answer to a call, read as `signature`. @throws rpc::CallError

@@ -9,8 +9,6 @@
 namespace nao::validation {
 namespace {
 
-constexpr double kLift = 1;  // [m] more than any limb of a Nao is long
-
 // The limb of each body: the child of the root that it hangs on; 0 for the root.
 std::vector<std::size_t> limbsOf(const RobotModel& model) {
   std::vector<std::size_t> limb(model.bodies.size());
@@ -160,13 +158,6 @@ class Cutter {
 };
 
 }  // namespace
-
-RobotModel suspend(const RobotModel& model) {
-  RobotModel hung = model;
-  if (!model.fixed_base) hung.bodies[0].X_PB.translation().z() += kLift;
-  hung.fixed_base = true;
-  return hung;
-}
 
 RobotModel stripped(const RobotModel& model) {
   RobotModel bare = model;

@@ -5,12 +5,9 @@
 #include <vector>
 
 #include "core/robot_model.h"
+#include "core/suspend.h"
 
 namespace nao::validation {
-
-/// The robot hung up by its torso, feet 1 m above the ground: a fixed base. With its own shell and
-/// soles, but it cannot fall.
-RobotModel suspend(const RobotModel& model);
 
 /// What is left of a suspended robot if nothing may touch anything: no solids, soles or spheres.
 /// The same motion of the joints at a lower cost, as long as the robot does not touch itself.

@@ -27,10 +27,12 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"clock", {}},
     {"daemon", {"clock", "core", "motion", "camera", "runtime", "naoqi_api"}},
     {"validation", {"core", "sim", "motion", "camera", "runtime"}},
+    {"recorder", {"core", "naoqi_api", "daemon", "validation"}},
     {"ci",
      {"clock", "core", "sim", "motion", "camera", "runtime", "naoqi_api", "daemon", "validation"}},
     {"app",
-     {"clock", "core", "motion", "camera", "runtime", "naoqi_api", "daemon", "validation", "ci"}},
+     {"clock", "core", "motion", "camera", "runtime", "naoqi_api", "daemon", "validation",
+      "recorder", "ci"}},
 };
 
 // Which folders may know a library: the others must not see its types.

@@ -69,7 +69,7 @@ class Maker {
  public:
   Maker(const HiddenCase& hidden, const std::shared_ptr<const RobotModel>& nominal)
       : hidden_(hidden) {
-    auto robot = std::make_shared<RobotModel>(validation::suspend(*nominal));
+    auto robot = std::make_shared<RobotModel>(suspend(*nominal));
     Random random(hidden.seed, "noise");
     truth_.name = hidden.name();
     truth_.kind = hidden.kind;

@@ -13,7 +13,7 @@ namespace {
 validation::LogSet nod(const std::string& effect, double delay) {
   validation::RecordingPlan plan;
   plan.model = std::make_shared<RobotModel>(validation::cutLimbs(
-      validation::stripped(validation::suspend(*test::robot("nao_h21_v33"))), {"HeadPitch"}));
+      validation::stripped(suspend(*test::robot("nao_h21_v33"))), {"HeadPitch"}));
   plan.motions = validation::standardRecording(plan.model);
   plan.motions.resize(1);
   plan.repeats = 1;

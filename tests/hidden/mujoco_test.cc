@@ -15,7 +15,7 @@ using validation::RecordingPlan;
 
 // Half a second of rest and 1.5 s of a tone that comes near the joint's speed, without noise.
 RecordingPlan toneOf(const std::string& joint, double middle) {
-  const RobotModel hung = validation::suspend(*test::robot("nao_h21_v33"));
+  const RobotModel hung = suspend(*test::robot("nao_h21_v33"));
   const auto limb =
       std::make_shared<RobotModel>(validation::cutLimbs(validation::stripped(hung), {joint}));
   const Joint moving = *limb->findJoint(joint);

@@ -198,7 +198,7 @@ TEST(Thesis, ARobotThatVeersFromTheCircleHasATurnedHipEncoder) {
 TEST(Thesis, AStatusIntervalIsAHoldNotALatency) {
   const auto model = test::robot("nao_h21_v33");
   validation::RecordingPlan plan;
-  plan.model = std::make_shared<RobotModel>(validation::suspend(*model));
+  plan.model = std::make_shared<RobotModel>(suspend(*model));
   plan.effects = &hiddenEffects();
   plan.extra = {{"process_noise", {{"sd", 0.03}, {"time", 0.05}}, {}, ""},
                 {"hidden_clocked_hold", {{"interval", 0.1}}, {}, ""}};
