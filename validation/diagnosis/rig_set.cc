@@ -4,6 +4,7 @@
 #include "core/check.h"
 #include "validation/diagnosis/merge_effects.h"
 #include "validation/diagnosis/rig_simulator.h"
+#include "validation/diagnosis/run_load.h"
 #include "validation/log/standard_motions.h"
 #include "validation/suspended.h"
 
@@ -104,14 +105,7 @@ std::vector<EffectSetting> RigSet::effectsWith(const std::vector<EffectSetting>&
                                                const GriddedMotion& motion) const {
   std::vector<EffectSetting> effects = mergedEffects(*model_, causes, catalogue());
   if (!motion.load) return effects;
-  const std::optional<int> link = model_->findBody(motion.load->link);
-  if (!link || *link == 0) return effects;
-  const Vec3& p = motion.load->p_BoBcm_B;
-  const Joint joint = model_->coordinates[static_cast<std::size_t>(*link) - 1].joint;
-  effects.push_back({"payload",
-                     {{"mass", motion.load->mass}, {"x", p.x()}, {"y", p.y()}, {"z", p.z()}},
-                     {joint},
-                     ""});
+  if (auto payload = effectOf(*motion.load, *model_)) effects.push_back(std::move(*payload));
   return effects;
 }
 

@@ -130,6 +130,8 @@ WholeRun wholeRunOf(const LogRun& run, const LogSet& set, const RobotModel& mode
   whole.fell = whole.tilt.size() > 0 && whole.tilt.cwiseAbs().maxCoeff() > M_PI / 4;
   whole.weight = weightOf(reader);
   whole.place = placeOf(reader);
+  whole.kp_scale = run.kp_scale;
+  whole.load = run.load;
   return whole;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -21,7 +22,9 @@ struct WholeRun {
   /// x, y [m] and yaw [rad] of the torso, from where it was in the first row and ahead as it looked
   /// there; headings go on beyond half a turn. Without yaw if only the place was measured.
   Eigen::MatrixXd place;
-  bool fell = false;  // the torso leant by more than 45 degrees
+  bool fell = false;    // the torso leant by more than 45 degrees
+  double kp_scale = 1;  // P gain of the servos over the nominal model's
+  std::optional<LogLoad> load;
 
   Eigen::Index rows() const { return command.rows(); }
 };

@@ -9,6 +9,7 @@
 #include "sim/world.h"
 #include "validation/diagnosis/gait_numbers.h"
 #include "validation/diagnosis/merge_effects.h"
+#include "validation/diagnosis/run_load.h"
 #include "validation/suspended.h"
 
 namespace nao::validation {
@@ -262,15 +263,20 @@ const sim::EffectCatalogue& WholeSimulator::catalogue() const {
   return options_.catalogue ? *options_.catalogue : sim::standardEffects();
 }
 
-std::shared_ptr<const RobotModel> WholeSimulator::withEffects(
-    const std::vector<EffectSetting>& causes, double noise) const {
+// The robot as it was in this run.
+std::shared_ptr<const RobotModel> WholeSimulator::robotOf(const WholeRun& run,
+                                                          const std::vector<EffectSetting>& causes,
+                                                          double noise) const {
   auto robot = std::make_shared<RobotModel>(*model_);
   robot->variation.clear();
+  for (Actuator& actuator : robot->actuators) actuator.kp *= run.kp_scale;
   // Noise first: the place in the list is part of a stream's name.
   robot->effects = noise > 0 ? noiseOf(*model_, noise) : std::vector<EffectSetting>{};
   for (EffectSetting& effect : mergedEffects(*model_, causes, catalogue())) {
     robot->effects.push_back(std::move(effect));
   }
+  if (!run.load) return robot;
+  if (auto payload = effectOf(*run.load, *model_)) robot->effects.push_back(std::move(*payload));
   return robot;
 }
 
@@ -281,7 +287,7 @@ WholeRun WholeSimulator::simulate(const std::vector<EffectSetting>& causes, std:
   options.effects = &catalogue();
   const Balance balance(*model_);
   const Balance* balances = walks_[run] ? &balance : nullptr;
-  return Replay(withEffects(causes, noise), measured_[run], balances, options)
+  return Replay(robotOf(measured_[run], causes, noise), measured_[run], balances, options)
       .run(options_.settle, stream);
 }
 

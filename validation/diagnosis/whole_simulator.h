@@ -55,8 +55,9 @@ class WholeSimulator {
                     double noise) const;
 
  private:
-  std::shared_ptr<const RobotModel> withEffects(const std::vector<EffectSetting>& causes,
-                                                double noise) const;
+  std::shared_ptr<const RobotModel> robotOf(const WholeRun& run,
+                                            const std::vector<EffectSetting>& causes,
+                                            double noise) const;
 
   std::shared_ptr<const RobotModel> model_;
   WholeOptions options_;

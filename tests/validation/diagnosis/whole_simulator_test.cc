@@ -69,6 +69,47 @@ TEST(WholeSimulator, AStreamDrawsTheSameWhateverTheCausesAndAnotherDoesNot) {
   EXPECT_EQ(one.angle.col(knee), simulator.simulate({offset}, 0, 1, 1).angle.col(knee));
 }
 
+// [rad] RMS of all measured joints between a simulated run and the set's first.
+double calcError(const LogSet& set) {
+  const WholeSimulator simulator(set, test::robot("nao_h21_v33"));
+  const WholeRun replay = simulator.simulate({}, 0, 1, 0);
+  const Eigen::MatrixXd off = replay.angle - simulator.measured()[0].angle;
+  return off.norm() / std::sqrt(static_cast<double>(off.size()));
+}
+
+TEST(WholeSimulator, CarriesTheLoadAndHasTheGainThatTheRunHad) {
+  const auto model = test::robot("nao_h21_v33");
+  const Joint elbow = *model->findJoint("LElbowRoll");
+  const EffectSetting weight{"payload", {{"mass", 0.8}, {"x", 0.08}}, {elbow}, ""};
+  LogSet loaded = record({"arms", Split::Fit, 2, {}}, 1, {weight});
+  const double forgotten = calcError(loaded);
+  for (std::size_t b = 1; b < model->bodies.size(); ++b) {
+    if (model->coordinates[b - 1].joint != elbow) continue;
+    loaded.runs[0].load = LogLoad{model->bodies[b].name, 0.8, {0.08, 0, 0}};
+  }
+  EXPECT_LT(calcError(loaded), 0.5 * forgotten);
+
+  auto soft = std::make_shared<RobotModel>(*model);
+  for (Actuator& actuator : soft->actuators) actuator.kp *= 0.3;
+  FloorPlan plan;
+  plan.model = soft;
+  plan.motions = {{"arms", Split::Fit, 2, {}}};
+  plan.repeats = 1;
+  LogSet weak = recordOnFloor(plan);
+  const double stiff = calcError(weak);
+  weak.runs[0].kp_scale = 0.3;
+  EXPECT_LT(calcError(weak), 0.5 * stiff);
+}
+
+TEST(WholeSimulator, RefusesALoadThatItCanNotCarry) {
+  LogSet set = record({"arms", Split::Fit, 1, {}});
+  for (const char* link : {"Tail", "base_link"}) {
+    set.runs[0].load = LogLoad{link, 0.3, {0, 0, 0}};
+    const WholeSimulator simulator(set, test::robot("nao_h21_v33"));
+    EXPECT_THROW(simulator.simulate({}, 0, 1, 0), InputError) << link;
+  }
+}
+
 TEST(WholeSimulator, LeavesTestRunsShutAndAsksForOneToFit) {
   LogSet set = record({"arms", Split::Fit, 1, {}}, 2);
   set.runs[1].split = Split::Test;
