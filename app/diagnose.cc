@@ -134,6 +134,10 @@ std::string commandOf(const Arguments& arguments) {
   if (arguments.level != "joint") command += " --level " + arguments.level;
   if (!arguments.from.empty()) command += " --from " + arguments.from;
   if (!arguments.budget.empty()) command += " --budget " + arguments.budget;
+  if (arguments.robots_dir != Arguments().robots_dir) {
+    command += " --robots-dir " + arguments.robots_dir;
+  }
+  if (arguments.record != kRecord) command += " --record " + arguments.record;
   return command;
 }
 
@@ -143,7 +147,8 @@ validation::Provenance provenanceOf(const Arguments& arguments, const validation
           model,
           commandOf(arguments),
           arguments.level,
-          validation::sha256OfFolder(arguments.set, arguments.out),
+          validation::sha256OfFolder(arguments.set,
+                                     {arguments.out, validation::testOpeningsFile(arguments.set)}),
           validation::sha256OfFolder(findSourceFile(arguments.robots_dir) + "/" + model),
           validation::countTestOpenings(arguments.set)};
 }
@@ -155,7 +160,7 @@ std::string keyOf(const Arguments& arguments, const validation::Provenance& prov
   return "program " + std::to_string(std::filesystem::file_size(program)) + " " +
          std::to_string(built) + "\nset " + provenance.set_sha256 + "\nmodel " + provenance.model +
          "\nrobots " +
-         validation::sha256OfFolder(findSourceFile(arguments.robots_dir), arguments.out) +
+         validation::sha256OfFolder(findSourceFile(arguments.robots_dir), {arguments.out}) +
          "\nlevel " + arguments.level + "\njoint " + arguments.joint + "\nbudget " +
          arguments.budget + "\n";
 }

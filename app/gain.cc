@@ -24,10 +24,11 @@ void run(const Options& options) {
   const std::string name = options.before.empty() ? set.robot : options.before;
   const auto before = loadRobotModel(robots, name);
   const auto after = loadRobotModel(robots, options.after);
-  const int openings =
-      validation::openTestRuns(set, options.set, "gain: " + name + " -> " + options.after);
+  validation::requireOpenable(set, options.set);
+  const int openings = validation::countTestOpenings(options.set) + 1;
   const validation::Report report =
       validation::measureGain(set, before, after, openings, options.gain);
+  validation::openTestRuns(set, options.set, "gain: " + name + " -> " + options.after);
   std::printf("%s", (options.json ? toJson(report) + "\n" : toText(report)).c_str());
 }
 

@@ -63,13 +63,14 @@ double rootMeanSquare(const std::vector<JointReplay>& replays, double JointRepla
   return std::sqrt(sum / static_cast<double>(replays.size()));
 }
 
-void addRows(const std::vector<JointReplay>& before, const std::vector<JointReplay>& after,
-             Report& report) {
+// Adds rows and table to the report. Returns the joints that got worse.
+std::vector<std::string> addRows(const std::vector<JointReplay>& before,
+                                 const std::vector<JointReplay>& after, Report& report) {
   TextTable table{"Test runs: error of the mean [mrad]",
                   {"joint", "before", "after", "floor", "mean absolute before", "after"},
                   {}};
   std::vector<Row> rows;
-  std::string worse;
+  std::vector<std::string> worse;
   for (std::size_t i = 0; i < before.size(); ++i) {
     const JointReplay &a = before[i], &b = after[i];
     rows.push_back({{"joint", a.joint},
@@ -80,20 +81,22 @@ void addRows(const std::vector<JointReplay>& before, const std::vector<JointRepl
                     {"floor_rmse", a.floor}});
     table.lines.push_back({a.joint, fixed(1e3 * a.rmse, 2), fixed(1e3 * b.rmse, 2),
                            fixed(1e3 * a.floor, 2), fixed(1e3 * a.mae, 2), fixed(1e3 * b.mae, 2)});
-    if (b.rmse > kWorse * a.rmse) worse += (worse.empty() ? "" : ", ") + a.joint;
+    if (b.rmse > kWorse * a.rmse) worse.push_back(a.joint);
   }
   report.figures.push_back({"rows", std::move(rows)});
   report.tables.push_back(std::move(table));
-  report.remarks.push_back(worse.empty() ? "No joint got worse."
-                                         : "Worse than before: " + worse + ".");
+  return worse;
 }
 
-void addGait(const WholeReplay& before, const WholeReplay& after, Report& report) {
-  if (before.gait.empty()) return;
+// Likewise of the gait's numbers: worse is what is further off by more than repeats are.
+std::vector<std::string> addGait(const WholeReplay& before, const WholeReplay& after,
+                                 Report& report) {
+  if (before.gait.empty()) return {};
   TextTable table{"Test runs: mean of the gait",
                   {"motion", "", "unit", "measured", "before", "after", "floor"},
                   {}};
   std::vector<Row> rows;
+  std::vector<std::string> worse;
   for (std::size_t i = 0; i < before.gait.size(); ++i) {
     const GaitReplay &a = before.gait[i], &b = after.gait[i];
     rows.push_back({{"motion", a.motion},
@@ -105,13 +108,26 @@ void addGait(const WholeReplay& before, const WholeReplay& after, Report& report
     table.lines.push_back({a.motion, a.name, a.unit, fixed(a.measured, 4),
                            fixed(a.measured + a.error, 4), fixed(b.measured + b.error, 4),
                            fixed(a.floor, 4)});
+    const double grown = std::abs(b.error) - kWorse * std::abs(a.error);
+    if (grown > 0 && std::abs(b.error) > a.floor) worse.push_back(a.name + " in " + a.motion);
   }
   report.figures.push_back({"gait", std::move(rows)});
   report.tables.push_back(std::move(table));
+  return worse;
+}
+
+void addFalls(const WholeReplay& before, const WholeReplay& after, Report& report) {
   if (before.fell + after.fell == 0) return;
   report.remarks.push_back("Of " + std::to_string(before.runs) + " simulated runs " +
                            std::to_string(before.fell) + " fell before, " +
                            std::to_string(after.fell) + " after.");
+}
+
+void addWorse(const std::vector<std::string>& worse, Report& report) {
+  std::string names;
+  for (const std::string& name : worse) names += (names.empty() ? "" : ", ") + name;
+  report.remarks.push_back(names.empty() ? "Nothing got worse."
+                                         : "Worse than before: " + names + ".");
 }
 
 }  // namespace
@@ -137,8 +153,11 @@ Report measureGain(const LogSet& set, std::shared_ptr<const RobotModel> before,
   report.figures.push_back({"after_rmse", new_rmse});
   report.figures.push_back({"floor_rmse", floor});
   report.figures.push_back({"test_openings", static_cast<double>(openings)});
-  addRows(old_errors, new_errors, report);
-  addGait(old_replay, new_replay, report);
+  std::vector<std::string> worse = addRows(old_errors, new_errors, report);
+  const std::vector<std::string> gait = addGait(old_replay, new_replay, report);
+  worse.insert(worse.end(), gait.begin(), gait.end());
+  addWorse(worse, report);
+  addFalls(old_replay, new_replay, report);
   report.remarks.push_back("Error " + fixed(1e3 * old_rmse, 2) + " -> " + fixed(1e3 * new_rmse, 2) +
                            " mrad on runs not used for anything else, floor " +
                            fixed(1e3 * floor, 2) + "; they were opened " +
@@ -146,17 +165,22 @@ Report measureGain(const LogSet& set, std::shared_ptr<const RobotModel> before,
   return report;
 }
 
-int openTestRuns(const LogSet& set, const std::string& set_folder, const std::string& by) {
-  const auto tests = [](const LogRun& run) { return run.split == Split::Test; };
-  if (std::none_of(set.runs.begin(), set.runs.end(), tests)) {
-    throw InputError(set.name + ": no run has the split `test`, expected at least one");
-  }
-  appendToFile("", set_folder + "/test_openings.txt", by + "\n");
-  return countTestOpenings(set_folder);
+std::string testOpeningsFile(const std::string& set_folder) {
+  return set_folder + "/test_openings.txt";
+}
+
+void requireOpenable(const LogSet& set, const std::string& set_folder) {
+  requireRuns(set, {Split::Test});
+  appendToFile("", testOpeningsFile(set_folder), "");
+}
+
+void openTestRuns(const LogSet& set, const std::string& set_folder, const std::string& by) {
+  requireRuns(set, {Split::Test});
+  appendToFile("", testOpeningsFile(set_folder), by + "\n");
 }
 
 int countTestOpenings(const std::string& set_folder) {
-  std::ifstream in(set_folder + "/test_openings.txt");
+  std::ifstream in(testOpeningsFile(set_folder));
   int lines = 0;
   for (std::string line; std::getline(in, line);) ++lines;
   return lines;

@@ -24,9 +24,14 @@ Report measureGain(const LogSet& set, std::shared_ptr<const RobotModel> before,
                    std::shared_ptr<const RobotModel> after, int openings,
                    const GainOptions& options);
 
-/// Adds a line to the set's record of looks at its test runs; returns how many there are now.
-/// @throws InputError for a set without test runs, and if the record can not be written.
-int openTestRuns(const LogSet& set, const std::string& set_folder, const std::string& by);
+/// Where a set's looks at its test runs are written down, a line each. Not part of the set's data.
+std::string testOpeningsFile(const std::string& set_folder);
+
+/// @throws InputError for a set without test runs, and if that file can not be written.
+void requireOpenable(const LogSet& set, const std::string& set_folder);
+
+/// Adds a line to it: somebody is shown what the test runs say. Errors as requireOpenable().
+void openTestRuns(const LogSet& set, const std::string& set_folder, const std::string& by);
 
 /// How often that was, so far.
 int countTestOpenings(const std::string& set_folder);

@@ -62,10 +62,13 @@ bool isBelow(const fs::path& file, const fs::path& folder) {
 
 }  // namespace
 
-std::string sha256OfFolder(const std::string& folder, const std::string& except) {
+std::string sha256OfFolder(const std::string& folder, const std::vector<std::string>& except) {
   std::vector<fs::path> files;
   for (const fs::path& file : listFilesBelow(folder)) {
-    if (!except.empty() && isBelow(file, except)) continue;
+    const auto holds = [&](const std::string& other) {
+      return !other.empty() && isBelow(file, other);
+    };
+    if (std::any_of(except.begin(), except.end(), holds)) continue;
     files.push_back(file.lexically_relative(folder));
   }
   std::sort(files.begin(), files.end());

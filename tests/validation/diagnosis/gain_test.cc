@@ -21,17 +21,23 @@ LogSet setWith(Split split) {
 TEST(TestRuns, CountHowOftenTheyAreOpened) {
   const TemporaryFolder folder;
   const LogSet set = setWith(Split::Test);
-  EXPECT_EQ(openTestRuns(set, folder.path(), "first"), 1);
-  EXPECT_EQ(openTestRuns(set, folder.path(), "second"), 2);
+  requireOpenable(set, folder.path());
+  EXPECT_EQ(countTestOpenings(folder.path()), 0);
+  openTestRuns(set, folder.path(), "first");
+  EXPECT_EQ(countTestOpenings(folder.path()), 1);
+  openTestRuns(set, folder.path(), "second");
+  EXPECT_EQ(countTestOpenings(folder.path()), 2);
 }
 
 TEST(TestRuns, ASetWithoutAnyIsNotOpened) {
   const TemporaryFolder folder;
+  EXPECT_THROW(requireOpenable(setWith(Split::Fit), folder.path()), InputError);
   EXPECT_THROW(openTestRuns(setWith(Split::Fit), folder.path(), "first"), InputError);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 TEST(TestRuns, AFolderThatIsNotThereIsAMistakeOfTheUser) {
+  EXPECT_THROW(requireOpenable(setWith(Split::Test), "/nowhere/at/all"), InputError);
   EXPECT_THROW(openTestRuns(setWith(Split::Test), "/nowhere/at/all", "first"), InputError);
 }
 

@@ -78,6 +78,12 @@ TEST(Gain, OfARobotOnItsFeetIsMeasuredOnItsTestRunsWithItsGait) {
   EXPECT_LT(excess("after_rmse"), 0.1 * excess("before_rmse"));
   EXPECT_EQ(report.tables.size(), 2u);
   EXPECT_EQ(report.tables[1].title, "Test runs: mean of the gait");
+  const auto tellsWorse = [](const Report& one) {
+    return std::any_of(one.remarks.begin(), one.remarks.end(), [](const std::string& remark) {
+      return remark.rfind("Worse than before: ", 0) == 0;
+    });
+  };
+  EXPECT_TRUE(tellsWorse(measureGain(set, extended, nominal, 2, {12, 2})));
 }
 
 TEST(Replay, OfARobotOnItsFeetLeavesTestRunsShut) {

@@ -20,6 +20,17 @@ TEST(FileHash, IsOfNamesAndContents) {
             "fb9609dc35771e4803a27900c2785618cc934df9438f5ef047f507966e5acda7");
 }
 
+TEST(FileHash, LeavesOutWhatItIsToldTo) {
+  const TemporaryFolder folder;
+  folder.write("a", "abc");
+  const std::string alone = sha256OfFolder(folder.path());
+  folder.write("out/report.json", "{}");
+  folder.write("looks.txt", "one");
+  EXPECT_NE(sha256OfFolder(folder.path()), alone);
+  const std::string place = folder.path();
+  EXPECT_EQ(sha256OfFolder(place, {"", place + "/out", place + "/looks.txt"}), alone);
+}
+
 TEST(FileHash, SaysWhichFolderIsMissing) {
   const TemporaryFolder folder;
   EXPECT_THROW(sha256OfFolder(folder.path() + "/none"), InputError);
