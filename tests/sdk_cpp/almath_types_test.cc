@@ -53,6 +53,34 @@ TEST(AlMathTypes, RotationsAboutAxesTakeEachAxisToTheNext) {
       (rotationFromRotZ(PI_2) * Position3D(1, 0, 0)).isNear(Position3D(0, 1, 0), kRounding));
 }
 
+TEST(AlMathTypes, ARotationIsMadeOfWhereItTakesTheAxes) {
+  const Rotation turn(kTurn);
+  const Position3D x(0.790971F, -0.377221F, -0.481736F), y(0.481736F, 0.869357F, 0.110225F),
+      z(0.377221F, -0.319254F, 0.869357F);
+  EXPECT_TRUE(rotationFromAxesXYZ(x, y, z) == turn);
+  EXPECT_TRUE(rotationFromAxesXY(x, y).isNear(turn, kRounding));
+  EXPECT_TRUE(rotationFromAxesXZ(x, z).isNear(turn, kRounding));
+  EXPECT_TRUE(rotationFromAxesYZ(y, z).isNear(turn, kRounding));
+  EXPECT_TRUE(isUnitVector(x));
+  EXPECT_TRUE(isOrthogonal(x, y));
+  EXPECT_FALSE(isUnitVector(x + y));
+  EXPECT_FALSE(isOrthogonal(x, x + y));
+}
+
+TEST(AlMathTypes, HalfTurnsAreExact) {
+  EXPECT_TRUE(Rotation::fromRotXPi().isNear(Rotation::fromRotX(PI), kRounding));
+  EXPECT_TRUE(Rotation::fromRotYPi().isNear(Rotation::fromRotY(PI), kRounding));
+  EXPECT_TRUE(Rotation::fromRotZPi().isNear(Rotation::fromRotZ(PI), kRounding));
+  EXPECT_TRUE(Rotation::fromRotZHalfPi().isNear(Rotation::fromRotZ(PI_2), kRounding));
+  EXPECT_TRUE(Rotation::fromRotZHalfPi() * Velocity3D(2, 0, 1) == Velocity3D(0, 2, 1));
+}
+
+TEST(AlMathTypes, APointsInertiaIsItsMassTimesSquares) {
+  std::vector<float> inertia;
+  pointMassRotationalInertia(2, Position3D(1, 2, 3), inertia);
+  EXPECT_EQ(inertia, (std::vector<float>{26, -4, -6, -4, 20, -12, -6, -12, 10}));
+}
+
 TEST(AlMathTypes, ARotationsTransposeUndoesIt) {
   const Rotation turn(kTurn);
   EXPECT_TRUE((turn * transpose(turn)).isNear(Rotation(), kRounding));
@@ -178,6 +206,11 @@ TEST(AlMathTypes, AVectorIsFilledOrReturned) {
   std::vector<float> filled = {9};
   PositionAndVelocity(0.5F, 2).toVector(filled);
   EXPECT_EQ(filled, (std::vector<float>{0.5F, 2}));
+  std::vector<float> both(7, 9);
+  auto to = both.begin();
+  Position2D(1, 2).writeToVector(to);
+  Quaternion().writeToVector(to);
+  EXPECT_EQ(both, (std::vector<float>{1, 2, 1, 0, 0, 0, 9}));
   EXPECT_TRUE(PositionAndVelocity(0.5F).isNear(PositionAndVelocity(0.5F, 0)));
 }
 

@@ -80,6 +80,22 @@ inline Position6D position6DFromVelocity6D(const Velocity6D& v) {
 inline Rotation rotationFromAngleDirection(const float& angle, const Position3D& axis) {
   return Rotation::fromAngleDirection(angle, axis.x, axis.y, axis.z);
 }
+inline Velocity3D operator*(const Rotation& turn, const Velocity3D& v) {
+  return 1.0f * (turn * Position3D(v.xd, v.yd, v.zd));
+}
+/// Of where it takes the axes, which are of length 1 and at right angles; not checked.
+inline Rotation rotationFromAxesXYZ(const Position3D& x, const Position3D& y, const Position3D& z) {
+  return Rotation::fromAxes(x, y, z);
+}
+inline Rotation rotationFromAxesXY(const Position3D& x, const Position3D& y) {
+  return Rotation::fromAxes(x, y, x.crossProduct(y));
+}
+inline Rotation rotationFromAxesXZ(const Position3D& x, const Position3D& z) {
+  return Rotation::fromAxes(x, z.crossProduct(x), z);
+}
+inline Rotation rotationFromAxesYZ(const Position3D& y, const Position3D& z) {
+  return Rotation::fromAxes(y.crossProduct(z), y, z);
+}
 /// @throws std::runtime_error for a quaternion of 0.
 inline void rotationFromQuaternion(const Quaternion& q, Rotation& turn) {
   turn = Rotation::fromQuaternion(q.w, q.x, q.y, q.z);
@@ -106,6 +122,16 @@ inline void quaternionPosition3DFromPosition6D(const Position6D& position, Quate
                                                Position3D& place) {
   quaternionFromRotation3D(Rotation3D(position.wx, position.wy, position.wz), q);
   place = position3DFromPosition6D(position);
+}
+
+/// The inertia about the origin [kg m^2] of `mass` [kg] at `p` [m]: a 3x3 matrix, row by row.
+inline void pointMassRotationalInertia(float mass, const Position3D& p,
+                                       std::vector<float>& inertia) {
+  inertia.clear();
+  for (int i = 0; i < 9; ++i) {
+    const float squares = i % 4 == 0 ? p.dotProduct(p) : 0;
+    inertia.push_back(mass * (squares - p.at(i / 3) * p.at(i % 3)));
+  }
 }
 
 }  // namespace Math

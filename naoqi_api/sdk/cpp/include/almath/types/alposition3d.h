@@ -29,6 +29,11 @@ struct Position3D : detail::VectorSpace<Position3D, 3> {
   }
   /// @throws std::runtime_error for a vector without length.
   Position3D normalize() const { return *this / norm(); }
+  bool isUnitVector(float epsilon = 0.0001f) const { return std::fabs(norm() - 1) <= epsilon; }
+  /// Whether the product of both is 0, within `epsilon`.
+  bool isOrthogonal(const Position3D& other, float epsilon = 0.0001f) const {
+    return std::fabs(dotProduct(other)) <= epsilon;
+  }
   float distanceSquared(const Position3D& other) const {
     return (*this - other).dotProduct(*this - other);
   }
@@ -47,6 +52,12 @@ inline Velocity3D operator*(float rate, const Position3D& p) {
 
 inline float norm(const Position3D& p) { return p.norm(); }
 inline Position3D normalize(const Position3D& p) { return p.normalize(); }
+inline bool isUnitVector(const Position3D& p, float epsilon = 0.0001f) {
+  return p.isUnitVector(epsilon);
+}
+inline bool isOrthogonal(const Position3D& a, const Position3D& b, float epsilon = 0.0001f) {
+  return a.isOrthogonal(b, epsilon);
+}
 inline float distance(const Position3D& a, const Position3D& b) { return a.distance(b); }
 inline float distanceSquared(const Position3D& a, const Position3D& b) {
   return a.distanceSquared(b);

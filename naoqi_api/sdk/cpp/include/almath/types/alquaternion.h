@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include <almath/types/alposition3d.h>
@@ -73,6 +74,11 @@ struct Quaternion {
     return std::vector<float>(all, all + 4);
   }
   void toVector(std::vector<float>& all) const { all = toVector(); }
+  /// From `to` on, where there is room for them; `to` is moved behind them.
+  void writeToVector(std::vector<float>::iterator& to) const {
+    const std::vector<float> all = toVector();
+    to = std::copy(all.begin(), all.end(), to);
+  }
 
  private:
   bool areNear(const Quaternion& o, float epsilon) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -84,10 +85,22 @@ struct Rotation {
     return all;
   }
   void toVector(std::vector<float>& all) const { all = toVector(); }
+  /// From `to` on, where there is room for them; `to` is moved behind them.
+  void writeToVector(std::vector<float>::iterator& to) const {
+    const std::vector<float> all = toVector();
+    to = std::copy(all.begin(), all.end(), to);
+  }
 
   static Rotation fromRotX(float angle) { return fromAngleDirection(angle, 1, 0, 0); }
   static Rotation fromRotY(float angle) { return fromAngleDirection(angle, 0, 1, 0); }
   static Rotation fromRotZ(float angle) { return fromAngleDirection(angle, 0, 0, 1); }
+  /// By exactly half a turn, or a quarter.
+  static Rotation fromRotXPi() { return diagonal(1, -1, -1); }
+  static Rotation fromRotYPi() { return diagonal(-1, 1, -1); }
+  static Rotation fromRotZPi() { return diagonal(-1, -1, 1); }
+  static Rotation fromRotZHalfPi() {
+    return fromAxes(Position3D(0, 1, 0), Position3D(-1, 0, 0), Position3D(0, 0, 1));
+  }
   /// Turned about the fixed axes x, then y, then z [rad].
   static Rotation from3DRotation(float wx, float wy, float wz) {
     return fromRotZ(wz) * fromRotY(wy) * fromRotX(wx);
@@ -123,6 +136,11 @@ struct Rotation {
         &Rotation::r1_c1, &Rotation::r1_c2, &Rotation::r1_c3, &Rotation::r2_c1, &Rotation::r2_c2,
         &Rotation::r2_c3, &Rotation::r3_c1, &Rotation::r3_c2, &Rotation::r3_c3};
     return kFields[i];
+  }
+
+ private:
+  static Rotation diagonal(float x, float y, float z) {
+    return fromAxes(Position3D(x, 0, 0), Position3D(0, y, 0), Position3D(0, 0, z));
   }
 };
 

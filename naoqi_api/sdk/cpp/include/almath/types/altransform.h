@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
@@ -119,6 +120,11 @@ struct Transform {
     return all;
   }
   void toVector(std::vector<float>& all) const { all = toVector(); }
+  /// From `to` on, where there is room for them; `to` is moved behind them.
+  void writeToVector(std::vector<float>::iterator& to) const {
+    const std::vector<float> all = toVector();
+    to = std::copy(all.begin(), all.end(), to);
+  }
 
   static Transform fromRotX(float angle) { return turn(1, 2, angle); }
   static Transform fromRotY(float angle) { return turn(2, 0, angle); }

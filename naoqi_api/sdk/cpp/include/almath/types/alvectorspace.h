@@ -56,13 +56,13 @@ struct VectorSpace {
   }
   std::vector<float> toVector() const {
     std::vector<float> all;
-    writeToVector(all);
+    for (int i = 0; i < kCount; ++i) all.push_back(at(i));
     return all;
   }
   void toVector(std::vector<float>& all) const { all = toVector(); }
-  /// At the end of `all`.
-  void writeToVector(std::vector<float>& all) const {
-    for (int i = 0; i < kCount; ++i) all.push_back(at(i));
+  /// From `to` on, where there is room for them; `to` is moved behind them.
+  void writeToVector(std::vector<float>::iterator& to) const {
+    for (int i = 0; i < kCount; ++i) *to++ = at(i);
   }
 
  protected:
