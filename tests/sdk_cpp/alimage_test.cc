@@ -64,6 +64,10 @@ TEST(AlImage, ShowsABufferOfTheProgram) {
   EXPECT_TRUE(image.areDataExternal());
   EXPECT_EQ(image.getFrame(), buffer);
   EXPECT_EQ(image.toALValue()[6].getSize(), 12U);
+  const ALImage copy = image.deepCopy();
+  buffer[0] = 8;
+  EXPECT_FALSE(copy.areDataExternal());
+  EXPECT_EQ(copy.getData()[0], 7);
 }
 
 TEST(AlImage, ChangesItsShapeWithinItsRoom) {

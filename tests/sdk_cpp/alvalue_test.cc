@@ -144,6 +144,10 @@ TEST(AlValue, GivesItsNumberAndItsItemsThemselves) {
   ALValue number(0.5F);
   *static_cast<float*>(number.getPtrValue()) = 2;
   EXPECT_EQ(static_cast<float>(number), 2);
+  *number.getFloatPtr() = 3;
+  const long long whole = number;
+  EXPECT_EQ(whole, 3);
+  EXPECT_THROW(number.getIntPtr(), ALError);
   ALValue array = ALValue::array(1, 2);
   array.getArrayPtr()->push_back(3);
   EXPECT_EQ(array.getSize(), 3U);

@@ -59,12 +59,19 @@ ALImage::ALImage(const ALValue& image) {
             fieldOr(image, kAngles + 2, 0.0F), fieldOr(image, kAngles + 3, 0.0F));
 }
 
+ALImage ALImage::deepCopy() const {
+  ALImage copy = *this;
+  const unsigned char* const first = pixels();
+  if (first != nullptr) copy.own_.assign(first, first + getSize());
+  copy.is_external_ = false;
+  copy.external_ = nullptr;
+  copy.lent_.clear();
+  return copy;
+}
+
 ALImage* ALImage::fromALValue(const ALValue& image) {
   try {
-    auto copy = std::make_unique<ALImage>(image);
-    copy->own_ = copy->lent_.asRaw();
-    copy->lent_.clear();
-    return copy.release();
+    return std::make_unique<ALImage>(ALImage(image).deepCopy()).release();
   } catch (const ALError&) {
     return nullptr;
   }

@@ -151,6 +151,16 @@ void* ALValue::getPtrValue() {
   return &number_;
 }
 
+int* ALValue::getIntPtr() {
+  if (!isInt()) fail("an int");
+  return &number_.whole;
+}
+
+float* ALValue::getFloatPtr() {
+  if (!isFloat()) fail("a float");
+  return &number_.real;
+}
+
 void ALValue::ToStringArray(TStringArray& items, bool insert_default) const {
   fill(items, insert_default, &ALValue::isString);
 }

@@ -99,6 +99,9 @@ class USARNAOQI_SDK_API ALValue {
   operator int() const;
   operator float() const;
   operator double() const { return asNumber("a number"); }
+  operator long long() const {
+    return isInt() ? number_.whole : static_cast<long long>(asNumber("an int"));
+  }
   operator const std::string&() const;
   /// To be written to; an invalid value becomes an empty text.
   operator std::string&();
@@ -144,6 +147,8 @@ class USARNAOQI_SDK_API ALValue {
   TAlValueArray* getArrayPtr() const;
   /// The 32 bits of an int or float, or a bool, themselves. @throws ALError for any other.
   void* getPtrValue();
+  int* getIntPtr();
+  float* getFloatPtr();
 
   void clear() { *this = ALValue(); }
 

@@ -46,6 +46,8 @@ class USARNAOQI_SDK_API ALImage {
   /// The same with a copy of the pixels, to be deleted; NULL if it is not what getImageRemote
   /// returns.
   static ALImage* fromALValue(const ALValue& image);
+  /// The same image with pixels of its own.
+  ALImage deepCopy() const;
   /// The 12 fields of what ALVideoDevice returns, the pixels as a copy.
   ALValue toALValue() const;
 
