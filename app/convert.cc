@@ -2,10 +2,14 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <memory>
 
 #include "app/commands.h"
+#include "app/source_paths.h"
+#include "core/check.h"
+#include "validation/log/growing_set.h"
 
 namespace nao::app {
 namespace {
@@ -18,6 +22,7 @@ struct Arguments {
   std::string to;
   std::string format;
   std::string split;
+  std::string robots_dir = "robots";
   validation::ConvertSettings settings;
 };
 
@@ -29,13 +34,33 @@ const std::map<std::string, LogFormat>& formats() {
   return kFormats;
 }
 
+// Of a robot that is not ours, such as Poppy, every joint stays.
+void leaveOutUnknownJoints(const Arguments& arguments, validation::LogSet& set) {
+  const std::string folder = findSourceFile(arguments.robots_dir);
+  if (!std::filesystem::is_directory(folder + "/" + set.robot)) return;
+  const auto model = loadRobotModel(folder, set.robot);
+  std::string names;
+  for (const std::string& name : validation::leaveOutUnknownJoints(set, *model)) {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  if (!names.empty()) {
+    std::fprintf(stderr, "left out, as %s has no such joints: %s\n", set.robot.c_str(),
+                 names.c_str());
+  }
+  if (set.joints.empty()) {
+    throw InputError(arguments.from + ": expected joints of " + set.robot + ", found none");
+  }
+}
+
 void run(Arguments& arguments) {
   const LogFormat format = arguments.format.empty() ? validation::guessFormat(arguments.from)
                                                     : formats().at(arguments.format);
   for (const Split split : {Split::Fit, Split::Select, Split::Test}) {
     if (arguments.split == validation::nameOf(split)) arguments.settings.split = split;
   }
-  const auto set = validation::convertLog(arguments.from, format, arguments.settings);
+  validation::requireNoSet(arguments.to);
+  auto set = validation::convertLog(arguments.from, format, arguments.settings);
+  leaveOutUnknownJoints(arguments, set);
   validation::writeLogSet(set, arguments.to);
   std::printf("%zu runs of %zu joints, %.1f rows a second: %s\n", set.runs.size(),
               set.joints.size(), set.rate, arguments.to.c_str());
@@ -56,6 +81,12 @@ void addConvert(CLI::App& app) {
       ->check(CLI::IsMember({"fit", "select", "test"}));
   command->add_option("--robot", arguments->settings.robot,
                       "The nominal model, a robot of the folder robots/.");
+  command->add_option("--motion", arguments->settings.motion,
+                      "All runs are repeats of this motion. Default: each is one of its own.");
+  command->add_flag("--suspended", arguments->settings.suspended,
+                    "The robot hung by its torso, feet in the air.");
+  command->add_option("--robots-dir", arguments->robots_dir, "Where the robots' folders are.")
+      ->capture_default_str();
   command->add_option("--licence", arguments->settings.licence, "Of the data, kept in the set.");
   command->callback([arguments] { run(*arguments); });
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
+#include <iterator>
 
 #include "core/check.h"
 #include "core/files.h"
@@ -19,6 +21,17 @@ bool isJson(const std::string& file) {
   return endsWith(file, ".json") || endsWith(file, ".json.gz");
 }
 
+bool isTable(const std::string& file) {
+  return isJson(file) || endsWith(file, ".csv") || endsWith(file, ".csv.gz");
+}
+
+void makeRepeats(LogSet& set, const std::string& motion) {
+  for (std::size_t r = 0; r < set.runs.size(); ++r) {
+    set.runs[r].motion = motion;
+    set.runs[r].repeat = static_cast<int>(r);
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> listLogFiles(const std::string& from) {
@@ -27,13 +40,25 @@ std::vector<std::string> listLogFiles(const std::string& from) {
     files.push_back(from);
   } else {
     for (const std::filesystem::path& entry : listFolder(from)) {
-      const std::string file = entry.string();
-      const bool data = isJson(file) || endsWith(file, ".csv") || endsWith(file, ".csv.gz");
-      if (data && std::filesystem::is_regular_file(entry)) files.push_back(file);
+      if (std::filesystem::is_regular_file(entry)) files.push_back(entry.string());
     }
   }
-  if (files.empty()) throw InputError(from + ": expected .json or .csv files, found none");
+  if (files.empty()) throw InputError(from + ": expected files of a recording, found none");
+  if (std::any_of(files.begin(), files.end(), isTable)) {
+    files.erase(std::remove_if(files.begin(), files.end(), std::not_fn(isTable)), files.end());
+  }
   return files;
+}
+
+void splitByOrder(LogSet& set) {
+  for (std::size_t r = 0; r < set.runs.size() && set.runs.size() > 1; ++r) {
+    const std::size_t left = set.runs.size() - r;
+    set.runs[r].split = left == 1 ? Split::Test : left == 2 ? Split::Select : Split::Fit;
+  }
+}
+
+std::string stemOf(const std::string& file) {
+  return std::filesystem::path(file).stem().stem().string();
 }
 
 void addJoints(LogSet& set) {
@@ -92,7 +117,28 @@ LogSet convertLog(const std::string& from, LogFormat format, const ConvertSettin
   if (!settings.robot.empty()) set.robot = settings.robot;
   if (!settings.licence.empty()) set.licence = settings.licence;
   for (LogRun& run : set.runs) run.split = settings.split.value_or(run.split);
+  if (!settings.motion.empty()) makeRepeats(set, settings.motion);
+  set.environment.suspended = set.environment.suspended || settings.suspended;
   return set;
+}
+
+std::vector<std::string> leaveOutUnknownJoints(LogSet& set, const RobotModel& model) {
+  std::vector<std::string> unknown;
+  for (const LogJoint& joint : set.joints) {
+    const auto ours = model.findJoint(joint.name);
+    if (!ours || model.actuators[index(*ours)].name != joint.name) unknown.push_back(joint.name);
+  }
+  const auto isUnknown = [&](const std::string& name) {
+    return std::find(unknown.begin(), unknown.end(), name) != unknown.end();
+  };
+  const auto goes = [&](const LogJoint& joint) { return isUnknown(joint.name); };
+  set.joints.erase(std::remove_if(set.joints.begin(), set.joints.end(), goes), set.joints.end());
+  for (LogRun& run : set.runs) {
+    for (auto at = run.columns.begin(); at != run.columns.end();) {
+      at = isUnknown(findColumnJoint(at->first)) ? run.columns.erase(at) : std::next(at);
+    }
+  }
+  return unknown;
 }
 
 }  // namespace nao::validation

@@ -2,7 +2,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "core/robot_model.h"
 #include "validation/log/robot_log.h"
 
 namespace nao::validation {
@@ -23,6 +25,8 @@ struct ConvertSettings {
   std::string robot;           // the nominal model; empty: the format's own choice
   std::string licence;         // of the data
   std::optional<Split> split;  // of all runs; else the format's rule
+  std::string motion;          // all runs are repeats of it; empty: each is the format's
+  bool suspended = false;      // the robot hung by its torso, feet in the air
 };
 
 /// Reads a file or a folder of such files. What has no column in RobotLog 1 is left out.
@@ -32,11 +36,15 @@ struct ConvertSettings {
 ///             select, so that the choice is made on a gain no estimate has seen and that lies
 ///             where unseen gains do; a single gain is for test
 ///   Poppy     a run per segment; the last is for test, the one before for select
-///   Almemory  one run
-///   Lola      one run, a row per sensor frame, 12 ms apart; an actuator frame is the command of
-///   the
-///             sensor frame before it
+///   Almemory  a run per file, named after it; the last is for test, the one before for select. A
+///   robot with wrists is taken for a nao_h25_v50, else for a nao_h21_v33
+///   Lola      the same, a row per sensor frame, 12 ms apart; an actuator frame is the command of
+///   the sensor frame before it. The robot nao_h25_v60
 /// @throws InputError with file, place and what was expected.
 LogSet convertLog(const std::string& from, LogFormat format, const ConvertSettings& settings);
+
+/// Leaves out what a set has of joints that its robot's model does not have, and returns their
+/// names: of a robot with other arms, say.
+std::vector<std::string> leaveOutUnknownJoints(LogSet& set, const RobotModel& model);
 
 }  // namespace nao::validation

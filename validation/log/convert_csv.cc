@@ -1,6 +1,6 @@
 // CSV files of others: Poppy's in degrees, and logs of NAOqi's ALMemory keys.
+#include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "core/check.h"
 #include "validation/log/convert_formats.h"
@@ -72,7 +72,7 @@ LogRun cutSegment(const CsvTable& table, const std::vector<double>& t, std::size
 LogRun memoryRun(const std::string& file) {
   const CsvTable table = readTable(file);
   LogRun run;
-  run.motion = std::filesystem::path(file).stem().stem().string();
+  run.motion = stemOf(file);
   run.file = "run_" + run.motion + ".csv";
   run.t = table.columns.front();
   for (double& time : run.t) time -= table.columns.front().front();
@@ -86,14 +86,6 @@ LogRun memoryRun(const std::string& file) {
                      "Device/SubDeviceList/HeadYaw/Position/Sensor/Value, found none");
   }
   return run;
-}
-
-// Each run is a motion of its own: the last one is for the test, the one before to select.
-void splitByOrder(LogSet& set) {
-  for (std::size_t r = 0; r < set.runs.size() && set.runs.size() > 1; ++r) {
-    const std::size_t left = set.runs.size() - r;
-    set.runs[r].split = left == 1 ? Split::Test : left == 2 ? Split::Select : Split::Fit;
-  }
 }
 
 }  // namespace
@@ -129,6 +121,8 @@ LogSet convertMemory(const std::string& from) {
   for (const std::string& file : listLogFiles(from)) set.runs.push_back(memoryRun(file));
   splitByOrder(set);
   addJoints(set);
+  const auto wrist = [](const LogJoint& joint) { return joint.name == "LWristYaw"; };
+  if (std::any_of(set.joints.begin(), set.joints.end(), wrist)) set.robot = "nao_h25_v50";
   set.rate = calcRate(set);
   return set;
 }

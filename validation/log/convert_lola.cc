@@ -110,9 +110,12 @@ LogSet convertLola(const std::string& from) {
   set.robot = "nao_h25_v60";
   set.clock = {"robot", "sent", "measured"};
   set.rate = 1 / kCycle;
-  set.runs.push_back(readLolaRows(readPacked(from), from));
-  set.runs.front().file = "run_0.csv";
-  set.runs.front().motion = "log";
+  for (const std::string& file : listLogFiles(from)) {
+    LogRun& run = set.runs.emplace_back(readLolaRows(readPacked(file), file));
+    run.motion = stemOf(file);
+    run.file = "run_" + run.motion + ".csv";
+  }
+  splitByOrder(set);
   addJoints(set);
   return set;
 }

@@ -10,6 +10,7 @@
 
 #include "core/check.h"
 #include "tests/core/temporary_folder.h"
+#include "tests/support/models.h"
 #include "validation/log/data_faults.h"
 #include "validation/log/lola_rows.h"
 #include "validation/log/robot_log_files.h"
@@ -105,7 +106,7 @@ TEST(Convert, ReadsLogsOfMemoryKeys) {
                                   "RFoot/FSR/RearLeft/Sensor/Value,Unknown\n"
                                   "0,0.5,0.25,1,-0.1,0.5,7\n0.01,0.5,0.375,1,-0.1,0.5,7\n");
   ASSERT_EQ(guessFormat(file), LogFormat::Almemory);
-  const LogSet set = convertLog(file, LogFormat::Almemory, {"nao_h21_v40", "CC0", {}});
+  const LogSet set = convertLog(file, LogFormat::Almemory, {"nao_h21_v40", "CC0", {}, "", false});
   const LogRun& run = set.runs[0];
   EXPECT_EQ(set.robot, "nao_h21_v40");
   EXPECT_EQ(set.licence, "CC0");
@@ -135,6 +136,36 @@ TEST(Convert, MakesARunOfEachLogOfMemoryKeysAndCountsFromItsBegin) {
     EXPECT_EQ(set.runs[r].t, (std::vector<double>{0, 0.25}));
     EXPECT_EQ(*set.runs[r].find("q.HeadYaw"), (Column{0.25, 0.375}));
   }
+}
+
+TEST(Convert, MakesRepeatsOfOneMotionWhereItIsToldTo) {
+  const TemporaryFolder folder;
+  const std::string key = "Device/SubDeviceList/LWristYaw/Position/Sensor/Value";
+  for (const char* name : {"one", "two"}) {
+    folder.write(name + std::string(".csv"), "Time," + key + "\n0,0.25\n0.01,0.375\n");
+  }
+  const LogSet set =
+      convertLog(folder.path(), LogFormat::Almemory, {"", "", Split::Fit, "nod", true});
+  ASSERT_EQ(set.runs.size(), 2u);
+  EXPECT_TRUE(set.environment.suspended);
+  EXPECT_EQ(set.robot, "nao_h25_v50");  // it has wrists
+  for (const LogRun& run : set.runs) EXPECT_EQ(run.motion, "nod");
+  EXPECT_EQ(set.runs[1].repeat, 1);
+  EXPECT_EQ(set.runs[1].split, Split::Fit);
+}
+
+TEST(Convert, LeavesOutJointsThatTheRobotDoesNotHave) {
+  const TemporaryFolder folder;
+  const std::string devices = "Device/SubDeviceList/", sensor = "/Position/Sensor/Value";
+  const std::string file =
+      folder.write("log.csv", "Time," + devices + "HeadYaw" + sensor + "," + devices + "LWristYaw" +
+                                  sensor + "\n0,0.25,1\n0.01,0.375,1\n");
+  LogSet set = convertLog(file, LogFormat::Almemory, {});
+  const auto left_out = leaveOutUnknownJoints(set, *test::robot("nao_h21_v33"));
+  EXPECT_EQ(left_out, std::vector<std::string>{"LWristYaw"});
+  ASSERT_EQ(set.joints.size(), 1u);
+  EXPECT_EQ(set.joints[0].name, "HeadYaw");
+  EXPECT_EQ(set.runs[0].columns.size(), 1u);
 }
 
 // "Position", "Angles": arrays of float32, as the robot sends them.
@@ -174,6 +205,18 @@ TEST(Convert, ReadsLolaFramesAndTheCommandsBetweenThem) {
     const std::string place = "byte " + std::to_string(sensors.size());
     EXPECT_THAT(error.what(), HasSubstr(place + ": expected a whole MessagePack map"));
   }
+}
+
+TEST(Convert, MakesARunOfEachFileOfLolaFrames) {
+  const TemporaryFolder folder;
+  const std::string frame =
+      "\x82" + pack("Position", std::vector<float>(25, 0.5F)) + pack("Angles", {0.1F, 0.2F});
+  for (const char* name : {"walk.lola", "kick.lola"}) folder.write(name, frame + frame);
+  ASSERT_EQ(guessFormat(folder.path()), LogFormat::Lola);
+  const LogSet set = convertLog(folder.path(), LogFormat::Lola, {});
+  ASSERT_EQ(set.runs.size(), 2u);
+  EXPECT_EQ(set.runs[0].motion, "kick");
+  EXPECT_EQ(set.runs[1].split, Split::Test);
 }
 
 TEST(Convert, WritesLolaCommandsThatItReads) {
