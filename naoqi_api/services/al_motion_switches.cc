@@ -86,6 +86,11 @@ void AlMotionSwitches::declareArms(rpc::Service& service) {
   addMethod(service, "setMoveArmsEnabled", this, &Self::setMoveArmsEnabled,
             "Whether the arms swing in a walk.", left, right)
       .at(188);
+  // As NAOqi 1.12 called them.
+  addMethod(service, "getWalkArmsEnable", this, &Self::getWalkArmsEnabled,
+            "[left, right]: whether the arms swing in a walk.");
+  addMethod(service, "setWalkArmsEnable", this, &Self::setMoveArmsEnabled,
+            "Whether the arms swing in a walk.", left, right);
 }
 
 void AlMotionSwitches::declareReflexes(rpc::Service& service) {

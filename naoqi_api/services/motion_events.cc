@@ -4,6 +4,7 @@
 #include <array>
 
 #include "motion/postures.h"
+#include "naoqi_api/services/pose_names.h"
 
 namespace nao::services {
 namespace {
@@ -17,11 +18,12 @@ constexpr char kMoveFailed[] = "ALMotion/MoveFailed";
 constexpr char kSafetyMoveFailed[] = "ALMotion/Safety/MoveFailed";  // other robots' name
 
 // ALMotion's events that are no state. Those of sensors no Nao has are declared and never raised.
-constexpr std::array<const char*, 12> kEvents = {
+constexpr std::array<const char*, 13> kEvents = {
     kMoveFailed,
     kSafetyMoveFailed,
     "PostureChanged",
     "PostureFamilyChanged",
+    "robotPoseChanged",  // of 1.x
     "ALMotion/Stiffness/wakeUpStarted",
     "ALMotion/Stiffness/wakeUpFinished",
     "ALMotion/Stiffness/restStarted",
@@ -114,7 +116,10 @@ void MotionEvents::raisePosture(const SensorFrame& sensors) {
   posture_seen_ = sensors.time;
   const Posture* posture = motion::findCurrentPosture(link_.model(), sensors);
   raiseChanged("PostureChanged", posture == nullptr ? "Unknown" : posture->name);
-  raiseChanged("PostureFamilyChanged", motion::currentFamily(link_.model(), sensors));
+  const std::string family = motion::currentFamily(link_.model(), sensors);
+  raiseChanged("PostureFamilyChanged", family);
+  memory_.store().insert("robotPose", poseOf(family));
+  raiseChanged("robotPoseChanged", poseOf(family));
 }
 
 }  // namespace nao::services

@@ -13,7 +13,8 @@ namespace nao::services {
 
 /// Raises in ALMemory what a robot does: each event among its device keys when its value changes
 /// (robotHasFallen, BodyStiffnessChanged, bumpers ...), ALMotion/Stiffness/wakeUpStarted and its
-/// like, ALMotion/MoveFailed, and once per second PostureChanged and PostureFamilyChanged. Compares
+/// like, ALMotion/MoveFailed, and once per second PostureChanged, PostureFamilyChanged and 1.x'
+/// robotPoseChanged, whose value is also the key robotPose. Compares
 /// what the robot published with what it had published before: but for touches, what comes and goes
 /// between two deliveries is not seen. I/O thread.
 class MotionEvents {

@@ -11,6 +11,7 @@
 #include "naoqi_api/services/make_module.h"
 #include "naoqi_api/services/naoqi_method.h"
 #include "naoqi_api/services/package_manager.h"
+#include "naoqi_api/services/pose_names.h"
 
 namespace nao::services {
 namespace {
@@ -66,24 +67,12 @@ ServicePointer makeRobotModel(const ServiceContext& context) {
   return service;
 }
 
-// NAOqi 1.x' names for the families of postures.
-const std::map<std::string, std::string>& poseNames() {
-  static const std::map<std::string, std::string> names = {
-      {"Standing", "Stand"},   {"Sitting", "Sit"},        {"Crouching", "Crouch"},
-      {"LyingBelly", "Belly"}, {"LyingBack", "Back"},     {"LyingLeft", "Left"},
-      {"LyingRight", "Right"}, {"SittingOnChair", "Sit"}, {"Kneeling", "Knee"},
-      {"Frog", "Frog"}};
-  return names;
-}
-
 ServicePointer makeRobotPose(const ServiceContext& context) {
   auto service = makeModule("ALRobotPose", "How the robot stands or lies, by the names of 1.x.");
   RobotLink& link = context.link;
   const auto began = std::make_shared<std::pair<std::string, double>>("", 0);  // pose, since [s]
   const auto pose = [&link, began] {
-    const std::string family = motion::currentFamily(link.model(), *link.sensors());
-    const auto found = poseNames().find(family);
-    const std::string name = found == poseNames().end() ? "Unknown" : found->second;
+    const std::string name = poseOf(motion::currentFamily(link.model(), *link.sensors()));
     const double now = toSeconds(link.now());
     if (began->first != name) *began = {name, now};
     return Value::list({name, static_cast<float>(now - began->second)});

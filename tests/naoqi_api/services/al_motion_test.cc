@@ -210,6 +210,9 @@ TEST_F(AlMotionTest, ArmsOfTheWalkCanBeStilled) {
   call("setMoveArmsEnabled", {0, 1});  // ints for bools
   EXPECT_FALSE(call("getMoveArmsEnabled", {"LArm"}).to<bool>());
   EXPECT_EQ(call("getWalkArmsEnabled").to<std::vector<bool>>(), (std::vector<bool>{false, true}));
+  call("setWalkArmsEnable", {true, false});  // as 1.12 called it
+  EXPECT_EQ(call("getWalkArmsEnable").to<std::vector<bool>>(), (std::vector<bool>{true, false}));
+  call("setWalkArmsEnabled", {false, true});
   call("moveToward", {1.0F, 0.0F, 0.0F});
   bench.run(1);
   EXPECT_NEAR(call("getAngles", {"LShoulderPitch", false}).to<Floats>()[0], 1.4, 1e-6);

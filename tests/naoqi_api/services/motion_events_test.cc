@@ -125,6 +125,17 @@ TEST_F(MotionEventsTest, PosturesAreToldOncePerSecond) {
   EXPECT_THAT(heard_, ElementsAre("footContactChanged false"));
 }
 
+TEST_F(MotionEventsTest, PosesHaveTheNamesOf1xToo) {
+  listen("robotPoseChanged");
+  run(1);
+  EXPECT_EQ(memory_.read("robotPose")->value, rpc::Value("Crouch"));
+  motion_->call("wakeUp", {});
+  run(5);
+  ASSERT_FALSE(heard_.empty());
+  EXPECT_EQ(heard_.back(), "robotPoseChanged \"Stand\"");
+  EXPECT_EQ(memory_.read("robotPose")->value, rpc::Value("Stand"));
+}
+
 TEST_F(MotionEventsTest, ADeviceEventIsReadAndHasAHistory) {
   bench_.frame.feet[0].bumper[0] = true;
   run(0.1);
