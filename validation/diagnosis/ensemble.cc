@@ -16,6 +16,31 @@ namespace {
 // Of an exact run, in coarse ones: a limb of four joints against a rig.
 constexpr long kExactCost = 40;
 
+// The sum of as many of these runs, drawn by chance, each once.
+Eigen::VectorXd sumOfDifferent(const Eigen::MatrixXd& runs, Eigen::Index repeats, Random& random) {
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(runs.cols()));
+  std::iota(order.begin(), order.end(), Eigen::Index{0});
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(runs.rows());
+  for (Eigen::Index r = 0; r < repeats; ++r) {
+    const auto left = static_cast<double>(runs.cols() - r);
+    std::swap(
+        order[static_cast<std::size_t>(r)],
+        order[static_cast<std::size_t>(r + static_cast<Eigen::Index>(random.uniform() * left))]);
+    sum += runs.col(order[static_cast<std::size_t>(r)]);
+  }
+  return sum;
+}
+
+// The same, each as often as chance has it.
+Eigen::VectorXd sumOfAny(const Eigen::MatrixXd& runs, Eigen::Index repeats, Random& random) {
+  const auto count = static_cast<double>(runs.cols());
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(runs.rows());
+  for (Eigen::Index r = 0; r < repeats; ++r) {
+    sum += runs.col(static_cast<Eigen::Index>(random.uniform() * count));
+  }
+  return sum;
+}
+
 }  // namespace
 
 Halves RunPool::halves() const {
@@ -38,21 +63,16 @@ Eigen::VectorXd RunPool::measuredAgain(const JointData& data, std::uint64_t seed
   Eigen::VectorXd all(mean.size());
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const MotionSpan& span = data.spans()[i];
-    const Eigen::Index count = runs[i].cols(),
-                       repeats = std::min<Eigen::Index>(span.repeats, count);
-    std::vector<Eigen::Index> order(static_cast<std::size_t>(count));
-    std::iota(order.begin(), order.end(), Eigen::Index{0});
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(span.size());
-    for (Eigen::Index r = 0; r < repeats; ++r) {
-      const auto left = static_cast<double>(count - r);
-      std::swap(
-          order[static_cast<std::size_t>(r)],
-          order[static_cast<std::size_t>(r + static_cast<Eigen::Index>(random.uniform() * left))]);
-      sum += runs[i].col(order[static_cast<std::size_t>(r)]);
-    }
-    // Drawn from what the mean was made of: variance (1/R - 1/N) s^2; wanted: (1/R + 1/N) s^2.
-    const double r = static_cast<double>(repeats), n = static_cast<double>(count);
-    const double widen = std::sqrt((1 / r + 1 / n) / std::max(1 / r - 1 / n, 1 / (r * n)));
+    const Eigen::Index repeats = span.repeats;
+    const double r = static_cast<double>(repeats), n = static_cast<double>(runs[i].cols());
+    // Half of the runs and more say too little of chance if each is drawn once; all of them,
+    // nothing.
+    const bool once = 2 * r <= n;
+    const Eigen::VectorXd sum =
+        once ? sumOfDifferent(runs[i], repeats, random) : sumOfAny(runs[i], repeats, random);
+    // Drawn from what the mean was made of, the mean's variance is that of one run times this.
+    const double drawn = once ? 1 / r - 1 / n : (1 - 1 / n) / r;
+    const double widen = std::sqrt((1 / r + 1 / n) / drawn);
     all.segment(span.offset, span.size()) =
         widen * (sum / r - mean.segment(span.offset, span.size()));
   }

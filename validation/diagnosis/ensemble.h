@@ -27,8 +27,8 @@ struct RunPool {
   /// `mean` by the runs of even and of odd streams, an even number of runs.
   Halves halves() const;
   /// What a set measured again would differ from `mean`, were the mean's runs others: the mean of
-  /// as many different runs of each span as it has repeats, drawn by `seed`, widened by what the
-  /// mean itself is uncertain.
+  /// as many runs of each span as it has repeats, drawn by `seed` (different ones, as long as they
+  /// are not nearly all), widened by what the mean itself is uncertain. Two runs or more.
   Eigen::VectorXd measuredAgain(const JointData& data, std::uint64_t seed) const;
 };
 
