@@ -94,6 +94,26 @@ class Converted(unittest.TestCase):
                                    "print Image.fromstring('RGB', (1, 2), '').tostring(), "
                                    "Image is new\n"), ["b'pixels' True"])
 
+    def testTheEncodingMayBeSet(self):
+        self.assertEqual(self.run_("import sys\nreload(sys)\n"
+                                   "sys.setdefaultencoding('utf-8')\nprint 'set'\n"), ["set"])
+
+    def testTextsHaveBothMethods(self):
+        self.assertEqual(self.run_(
+            "name = 'Zo\\xc3\\xab'\n"
+            "print 'caf'.decode('utf-8').upper(), u'ja'.encode('utf-8').decode('utf-8'),"
+            " 'abc'.encode('hex'), '616263'.decode('hex').decode(), 'aGk='.decode('base64')\n"
+            "data = {'a': [b'x'.decode('ascii')]}\nprint data['a'][0].decode().strip()\n"),
+            ["CAF ja 616263 abc hi", "x"])
+
+    def testModulesHaveWhatTheyLost(self):
+        self.assertEqual(self.run_(
+            "import string, sys, time\n"
+            "print string.join(['a', 'b'], '-'), string.letters[:3], string.upper('x'),"
+            " string.split('1 2'), string.atoi('7')\n"
+            "print sys.maxint > 2 ** 30, time.clock() >= 0\n"),
+            ["a-b abc X ['1', '2'] 7", "True True"])
+
     def testWhatIsAKeywordNowWasAName(self):
         self.assertEqual(self.run_("import qi\nprint qi.async(lambda: 5).value()\n"), ["5"])
 

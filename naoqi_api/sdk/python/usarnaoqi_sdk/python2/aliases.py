@@ -3,7 +3,9 @@ installed under new ones."""
 
 import importlib
 import importlib.util
+import string
 import sys
+import time
 from importlib.abc import Loader, MetaPathFinder
 from importlib.machinery import ModuleSpec, PathFinder
 from typing import Any, Optional
@@ -66,5 +68,20 @@ def _isThere(name: str) -> bool:
         return False
 
 
+def _restore() -> None:
+    """What modules had that every Python has loaded."""
+    old = {"letters": string.ascii_letters, "lowercase": string.ascii_lowercase,
+           "uppercase": string.ascii_uppercase, "maketrans": str.maketrans,
+           "join": lambda words, between=" ": between.join(words), "atoi": int, "atof": float}
+    for name in ("split", "strip", "replace", "find", "lower", "upper", "zfill"):
+        old[name] = getattr(str, name)
+    for name, value in old.items():
+        setattr(string, name, value)
+    sys.maxint = sys.maxsize  # type: ignore[attr-defined]
+    if not hasattr(time, "clock"):
+        time.clock = time.process_time  # type: ignore[attr-defined]
+
+
 def install() -> None:
+    _restore()
     sys.meta_path.insert(0, Finder())

@@ -1,6 +1,7 @@
 """What words and operators meant in Python 2, for converted programs."""
 
 import builtins
+import codecs
 import numbers
 import operator
 import sys
@@ -8,8 +9,9 @@ from collections import namedtuple
 from functools import cmp_to_key
 from typing import Any, Callable, List, Optional, Tuple
 
-__all__ = ["cmp", "file", "ord", "py2_divide", "py2_greater", "py2_greater_equal", "py2_less",
-           "py2_less_equal", "py2_version_info", "reload", "sorted", "unichr"]
+__all__ = ["cmp", "file", "ord", "py2_decode", "py2_divide", "py2_encode", "py2_greater",
+           "py2_greater_equal", "py2_less", "py2_less_equal", "py2_version_info", "reload",
+           "sorted", "unichr"]
 
 VersionInfo = namedtuple("VersionInfo", "major minor micro releaselevel serial")
 py2_version_info = VersionInfo(2, 7, 18, "final", 0)  # the last one
@@ -42,6 +44,27 @@ def _comparison(compare: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]
 
 py2_less, py2_greater = _comparison(operator.lt), _comparison(operator.gt)
 py2_less_equal, py2_greater_equal = _comparison(operator.le), _comparison(operator.ge)
+
+
+def py2_decode(value: Any, *arguments: Any, **named: Any) -> Any:
+    """value.decode(): a text may be its own bytes, of "hex" and the like, or is text already."""
+    if not isinstance(value, str):
+        return value.decode(*arguments, **named)
+    if arguments and _isOfBytes(arguments[0]):
+        return codecs.decode(value.encode("latin-1"), arguments[0]).decode("latin-1")
+    return value
+
+
+def py2_encode(value: Any, *arguments: Any, **named: Any) -> Any:
+    """value.encode(): "hex" and the like make text of a text's bytes."""
+    if arguments and isinstance(value, (str, bytes)) and _isOfBytes(arguments[0]):
+        data = value.encode("latin-1") if isinstance(value, str) else value
+        return codecs.encode(data, arguments[0]).decode("latin-1")
+    return value.encode(*arguments, **named)
+
+
+def _isOfBytes(encoding: Any) -> bool:
+    return str(encoding).replace("_codec", "") in {"hex", "base64", "zlib", "bz2"}
 
 
 def cmp(a: Any, b: Any) -> int:

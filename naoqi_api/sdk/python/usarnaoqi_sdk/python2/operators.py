@@ -1,9 +1,10 @@
 """Python 2's operators: `a / b` of whole numbers, and `a < b` of what Python 3 does not compare,
-become calls that do as it did."""
+become calls that do as it did; so do the methods that its strings had for both text and bytes."""
 
 from typing import Any
 
 DIVIDE = "py2_divide"
+METHODS = {".decode": "py2_decode", ".encode": "py2_encode"}
 COMPARE = {"<": "py2_less", ">": "py2_greater", "<=": "py2_less_equal", ">=": "py2_greater_equal"}
 
 
@@ -18,6 +19,8 @@ def _visit(node: Any, divides: bool) -> None:
         _visit(child, divides)
     if len(node.children) < 3:
         return
+    if any(_isMethod(node, at) for at in range(1, len(node.children) - 1)):
+        return _replaceMethods(node)
     operators = [str(child).strip() for child in node.children[1::2]]
     if len(node.children) == 3 and operators[0] in COMPARE:
         _replaceComparison(node, COMPARE[operators[0]])
@@ -25,6 +28,27 @@ def _visit(node: Any, divides: bool) -> None:
         _replace(node)
     elif divides and len(node.children) == 3 and operators[0] == "/=":
         _replaceAugmented(node)
+
+
+def _isMethod(node: Any, at: int) -> bool:
+    """Whether `.decode` stands there, called behind."""
+    method, call = node.children[at], node.children[at + 1]
+    return str(method).strip() in METHODS and str(call).startswith("(")
+
+
+def _replaceMethods(node: Any) -> None:
+    prefix = node.prefix
+    text, at = str(node.children[0])[len(prefix):], 1
+    while at < len(node.children):
+        if at + 1 < len(node.children) and _isMethod(node, at):
+            arguments = str(node.children[at + 1])[1:-1]
+            name = METHODS[str(node.children[at]).strip()]
+            text = "%s(%s%s)" % (name, text, ", " + arguments if arguments.strip() else "")
+            at += 2
+        else:
+            text += str(node.children[at])
+            at += 1
+    _become(node, prefix, text)
 
 
 def _replaceComparison(node: Any, name: str) -> None:

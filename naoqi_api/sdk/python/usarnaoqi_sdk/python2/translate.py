@@ -6,8 +6,9 @@ from typing import Any, List
 
 from . import global_names, operators
 
-# A script's folder is no package, whatever else lies in it: imports stay absolute.
-UNWANTED = frozenset({"import"})
+# A script's folder is no package, whatever else lies in it: imports stay absolute. What reload() is
+# here, meaning.py says.
+UNWANTED = frozenset({"import", "reload"})
 PRELUDE = "from usarnaoqi_sdk.python2.meaning import *; "
 
 
