@@ -2,6 +2,7 @@
 
 import os
 import queue
+import threading
 import unittest
 from unittest import mock
 
@@ -21,6 +22,7 @@ class Listener(naoqi.ALModule):
     def __init__(self, name):
         naoqi.ALModule.__init__(self, name)
         self.heard = queue.Queue()
+        self.gates = {"go": threading.Event()}
 
     def onEvent(self, key, value, message):
         """Three arguments, as ALMemory gives them."""
@@ -29,6 +31,10 @@ class Listener(naoqi.ALModule):
     def onValue(self, *values):
         """Any number of them."""
         self.heard.put(values)
+
+    def waitFor(self, gate):
+        """Until somebody opens it."""
+        self.gates[gate].wait(SOON)
 
     def double(self, value):
         """For other modules."""
@@ -85,6 +91,32 @@ class ModuleTest(unittest.TestCase):
         listener.exit()
         with self.assertRaisesRegex(RuntimeError, "Can't find service: Doubler"):
             naoqi.ALProxy("Doubler")
+
+    def testAModuleHasWhatEveryModuleHas(self):
+        listener = Listener("Standard")
+        other = qi.Session("tcp://10.0.0.1:9559")
+        self.addCleanup(other.close)
+        remote = other.service("Standard")
+        self.assertEqual(remote.pCall(["double", 4]), 8)
+        self.assertTrue(remote.ping())
+        self.assertIn("double", remote.getMethodList())
+        self.assertIn("For other modules.", remote.getUsage("double"))
+        with self.assertRaisesRegex(RuntimeError, "no method has the name triple"):
+            remote.pCall(["triple", 4])
+        with self.assertRaisesRegex(RuntimeError, "can not end a module"):
+            remote.exit()
+        listener.exit()
+
+    def testOthersPostCallsOfTheModule(self):
+        listener = Listener("Posted")
+        proxy = naoqi.ALProxy("Posted", "10.0.0.1", 9559)
+        task = proxy.post.waitFor("go")
+        self.assertTrue(proxy.isRunning(task))
+        self.assertTrue(proxy.wait(task, 1))  # the time-out came first
+        listener.gates["go"].set()
+        self.assertFalse(proxy.wait(task, 0))
+        self.assertFalse(proxy.isRunning(task))
+        listener.exit()
 
     def testABehaviorIsAModuleThatDescribesItself(self):
         behavior = Behavior("Starts")

@@ -5,6 +5,7 @@ import inspect
 from typing import Any, Callable, List, NamedTuple, Optional, Tuple
 
 BIND, THREADING = "__qi_bind__", "__qi_threading__"
+STANDARD = "_standardMethods"  # of a class whose objects have such before their own
 SINGLE, MULTI = "single", "multi"
 
 

@@ -1,14 +1,15 @@
 """Modules that live in this program: the robot calls their methods, above all as events."""
 
 import time
-from typing import Any, Optional
+from typing import Any, List, Optional
 
 from ..address import address
-from ..bound_types import MULTI
+from ..bound_types import MULTI, OfferedMethod
 from ..errors import CallError, ConnectionLost
 from .broker import ALBroker, currentBroker, sessionAt
 from .docable import ALDocable
 from .proxy import ALProxy
+from .standard import Methods, StandardMethods
 
 
 class ALModule(ALDocable):
@@ -31,6 +32,10 @@ class ALModule(ALDocable):
             raise RuntimeError("\tALModule::ALModule\n\t%s" % error) from None
         if self._broker:
             self._broker.adopt(self)
+
+    def _standardMethods(self, methods: Methods) -> List[OfferedMethod]:
+        """What every module offers before its own methods; `methods`: all of them, once known."""
+        return StandardMethods(self, methods).offered()
 
     @property
     def name(self) -> str:
