@@ -37,6 +37,63 @@ class TransformTest(unittest.TestCase):
         point = almath.Position3D(0.3, 0.2, -0.1)
         self.assertNear((SOME * OTHER) * point, SOME * (OTHER * point))
 
+    def testAReferenceIsChangedAndChangedBack(self):
+        seen = almath.Transform()
+        almath.changeReferenceTransform(SOME, OTHER, seen)
+        self.assertEqual(seen, SOME * OTHER)
+        self.assertNear(almath.changeReferenceTransposeTransform(SOME, seen), OTHER)
+        for kind, name in ((almath.Position3D, "Position3D"), (almath.Position6D, "Position6D"),
+                           (almath.Velocity6D, "Velocity6D")):
+            six = kind(*[0.1, -0.2, 0.3, 0.4, -0.5, 0.6][:len(kind())])
+            there = getattr(almath, "changeReference" + name)(SOME, six)
+            self.assertNear(getattr(almath, "changeReferenceTranspose" + name)(SOME, there), six)
+        # A quarter turn about z: x becomes y, whatever the frame's place.
+        quarter = almath.Transform.fromPosition(5, 6, 7, 0, 0, math.pi / 2)
+        self.assertNear(almath.changeReferencePosition3D(quarter, almath.Position3D(1, 0, 0)),
+                        almath.Position3D(0, 1, 0))
+
+    def testATurnAboutANumberedAxis(self):
+        self.assertNear(almath.transformFromRotVec(2, 0.3), almath.transformFromRotY(0.3))
+        place = almath.Position3D(1, 2, 3)
+        self.assertNear(almath.transformFromRotVec(3, 0.3, place),
+                        almath.Transform(1, 2, 3) * almath.transformFromRotZ(0.3))
+        self.assertEqual(almath.transformFromRotVec(place), almath.Transform(1, 2, 3))
+        with self.assertRaises(RuntimeError):
+            almath.transformFromRotVec(4, 0.3)
+
+    def testWhatLeadsFromOneToAnotherSeenFromOutside(self):
+        step = almath.position6DFromTransformDiff(SOME, OTHER)
+        turn = almath.velocityExponential(almath.Velocity6D(0, 0, 0, step.wx, step.wy, step.wz))
+        self.assertNear(turn.rotation() * SOME.rotation(), OTHER.rotation(), ROUND_TRIP)
+        self.assertNear(SOME.position() + almath.position3DFromPosition6D(step), OTHER.position())
+        self.assertNear(almath.transformFromPosition6D(
+            almath.transformDifferenceInPosition6D(SOME, OTHER)), SOME.diff(OTHER), ROUND_TRIP)
+
+    def testDisplacementsAreTransforms(self):
+        def of(transform):
+            return almath.Displacement(transform.position(),
+                                       almath.quaternionFromTransform(transform))
+        self.assertTrue((of(SOME) * of(OTHER)).isNear(of(SOME * OTHER), ROUND_TRIP))
+        self.assertFalse(of(SOME).isNear(of(OTHER)))
+
+    def testFunctionsInPlaceDoAsThoseThatReturn(self):
+        pose, transform = almath.Pose2D(), almath.Transform(SOME)
+        almath.pose2DFromTransformInPlace(SOME, pose)
+        self.assertEqual(pose, almath.pose2DFromTransform(SOME))
+        almath.transformInvertInPlace(transform)
+        self.assertEqual(transform, SOME.inverse())
+        almath.transformMeanInPlace(SOME, OTHER, 0.25, transform)
+        self.assertEqual(transform, almath.transformMean(SOME, OTHER, 0.25))
+
+    def testDistancesOfPlacesWithTurnsAreThoseOfThePlaces(self):
+        self.assertAlmostEqual(almath.distance(almath.Position6D(0, 0, 0, 1, 2, 3),
+                                               almath.Position6D(2, 3, 6, 0, 0, 0)), 7)
+
+    def testAPointsInertiaIsThatAboutTheOrigin(self):
+        inertia = []
+        almath.pointMassRotationalInertia(2, almath.Position3D(3, 0, 4), inertia)
+        self.assertEqual(inertia, [32, 0, -24, 0, 50, 0, -24, 0, 18])
+
     def testInPlaceProductsAreProducts(self):
         target = almath.Transform(SOME)
         target *= OTHER

@@ -3,14 +3,14 @@
 import math
 from typing import Any, List, Sequence
 
-from .vectors import Pose2D, Position2D, Position3D, Position6D, Rotation3D
+from .vectors import Pose2D, Position2D, Position3D, Position6D, Rotation3D, Velocity6D
 
 PI, PI_2, PI_4 = math.pi, math.pi / 2, math.pi / 4
 TWO_PI = _2_PI_ = 2 * math.pi
 TO_RAD, TO_DEG = math.pi / 180, 180 / math.pi
 
 AXIS_MASK_X, AXIS_MASK_Y, AXIS_MASK_Z = 1, 2, 4
-AXIS_MASK_WX, AXIS_MASK_WY, AXIS_MASK_WZ = 8, 16, 32
+AXIS_MASK_WX, AXIS_MASK_WY, AXIS_MASK_WZ, AXIS_MASK_WYWZ = 8, 16, 32, 48
 AXIS_MASK_XY, AXIS_MASK_VEL, AXIS_MASK_ROT, AXIS_MASK_ALL, AXIS_MASK_NONE = 3, 7, 56, 63, 0
 
 
@@ -75,6 +75,9 @@ def pose2DDiff(a: Pose2D, b: Pose2D) -> Pose2D:
     return a.diff(b)
 
 
+pose2dDiff = pose2DDiff
+
+
 def pose2dInvertInPlace(pose: Pose2D) -> None:
     pose._become(pose.inverse())
 
@@ -111,6 +114,22 @@ def position3DFromPosition6D(position: Position6D) -> Position3D:
 
 def position6DFromPosition3D(position: Position3D) -> Position6D:
     return Position6D(position.x, position.y, position.z, 0, 0, 0)
+
+
+def position6DFromVelocity6D(velocity: Velocity6D) -> Position6D:
+    """Number by number: where one second leads."""
+    return Position6D(velocity.toVector())
+
+
+def pointMassRotationalInertia(mass: float, place: Position3D, target: Any = None) -> List[float]:
+    """The inertia about the origin [kg m^2] of `mass` [kg] at `place` [m]: 9 numbers, row by row,
+    which also replace those of `target`."""
+    p = list(place)
+    square = sum(value * value for value in p)
+    inertia = [mass * ((square if i == j else 0) - p[i] * p[j]) for i in range(3) for j in range(3)]
+    if target is not None:
+        target[:] = inertia
+    return inertia
 
 
 def rotation3DFromPosition6D(position: Position6D) -> Rotation3D:

@@ -161,15 +161,15 @@ def transformFromQuaternion(quaternion: Quaternion) -> Transform:
 
 
 def transformFromRotVec(*arguments: Any) -> Transform:
-    """(angle, axis), (axis, angle, position) or (axis 1..3, angle, position): a rotation about an
-    axis, then a move."""
-    if len(arguments) == 2:
-        axis, angle = arguments[1], arguments[0]
-        return transformFromRotation(rotationFromAngleDirection(angle, axis))
-    axis, angle, position = arguments
-    if isinstance(axis, int):
-        axis = Position3D(*[float(axis == number) for number in (1, 2, 3)])
-    return transformFromRotationPosition3D(rotationFromAngleDirection(angle, axis), position)
+    """(axis, angle, position), (axis, angle) or (position): a turn about axis 1 to 3, x to z, then
+    a move. Raises RuntimeError for another axis."""
+    if len(arguments) == 1:
+        return transformFromPosition3D(arguments[0])
+    axis, angle = arguments[:2]
+    if axis not in (1, 2, 3):
+        raise RuntimeError("ALMath: expected an axis from 1 to 3, found %s" % axis)
+    turn = (rotationFromRotX, rotationFromRotY, rotationFromRotZ)[axis - 1](angle)
+    return transformFromRotationPosition3D(turn, *(arguments[2:] or (Position3D(),)))
 
 
 def rotationFromTransform(transform: Transform) -> Rotation:
@@ -235,13 +235,16 @@ def normalizeTransform(transform: Transform) -> Transform:
     return transform.normalizeTransform()
 
 
-def changeReferenceTransform(frame: Transform, inside: Transform) -> Transform:
-    """`inside`, given in `frame`, turned into the frame outside; its place is not moved."""
-    return transformFromRotation(frame.rotation()) * inside
+def transformDifferenceInPosition6D(a: Transform, b: Transform) -> Position6D:
+    """b in a's frame."""
+    return position6DFromTransform(a.diff(b))
 
 
-def changeReferencePosition3D(frame: Transform, position: Position3D) -> Position3D:
-    return frame.rotation() * position
+def position6DFromTransformDiff(b: Transform, c: Transform) -> Position6D:
+    """What leads from frame b to frame c, both seen from a frame A and the answer, too: the shift
+    of the origin [m], and the axis of the turn times its angle [rad]."""
+    turn = transformFromRotation(c.rotation() * b.rotation().transpose())
+    return Position6D(list(c.position() - b.position()) + transformLogarithm(turn).toVector()[3:])
 
 
 def transformLogarithm(transform: Transform) -> Velocity6D:

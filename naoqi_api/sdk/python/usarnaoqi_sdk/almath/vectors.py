@@ -33,6 +33,10 @@ class Position6D(Vector):
 
     FIELDS = ("x", "y", "z", "wx", "wy", "wz")
 
+    def distanceSquared(self, other: Any) -> float:
+        """Between the points alone."""
+        return sum((a - b) ** 2 for a, b in zip(self.toVector()[:3], other.toVector()[:3]))
+
 
 class Rotation3D(Vector):
     """Rotations about x, then y, then z of the fixed frame."""
