@@ -183,8 +183,12 @@ class Run {
   }
 
   void setEnvironment() {
-    const std::string port = std::to_string(clock_->page().ports[0]);
-    ::setenv("NAOQI_ADDRESS", ("127.0.0.1:" + port).c_str(), 1);
+    std::string robots;  // in the order in which they are named
+    for (const std::uint16_t port : clock_->page().ports) {
+      if (port == 0) break;
+      robots += (robots.empty() ? "127.0.0.1:" : ",127.0.0.1:") + std::to_string(port);
+    }
+    ::setenv("NAOQI_ADDRESS", robots.c_str(), 1);
     prepend("PYTHONPATH", findSourceFile("naoqi_api/sdk/python"));
     if (!has_clock_) return;
     ::setenv(clock::kPageVariable, clock_->path().c_str(), 1);

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 
 #include "tests/core/temporary_folder.h"
 #include "tests/sdk_cpp/robot_process.h"
@@ -38,6 +39,22 @@ TEST_F(ProxyTest, TheHeadGoesWhereItIsTold) {
   const std::vector<float> angles = motion.getAngles("HeadYaw", true);
   ASSERT_EQ(angles.size(), 1U);
   EXPECT_NEAR(angles[0], 0.5F, kServo);
+}
+
+TEST_F(ProxyTest, OneOfSeveralRobotsIsMeantByItsPortOrItsHost) {
+  RobotProcess other;
+  AL::ALMemoryProxy(host_, robot_.port()).insertData("Which", std::string("first"));
+  AL::ALMemoryProxy(host_, other.port()).insertData("Which", std::string("second"));
+  const std::string both = robot_.setting() + ",127.0.0.1:" + std::to_string(other.port());
+  const std::size_t name = both.find('=');
+  ::setenv(both.substr(0, name).c_str(), both.substr(name + 1).c_str(), 1);
+  const auto which = [](const std::string& host, int port) {
+    return AL::ALMemoryProxy(host, port).getData("Which").toString();
+  };
+  const std::vector<std::string> found = {which("10.0.0.1", 9559), which("10.0.0.1", 9560),
+                                          which("10.0.0.2", 9559)};
+  ::unsetenv("NAOQI_ADDRESS");
+  EXPECT_EQ(found, (std::vector<std::string>{"\"first\"", "\"second\"", "\"second\""}));
 }
 
 TEST_F(ProxyTest, ListsOfNamesAndAnglesAreVectors) {

@@ -1,11 +1,16 @@
 #include "naoqi_api/sdk/cpp/src/addresses.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <mutex>
 #include <optional>
+#include <sstream>
+#include <vector>
 
 namespace nao::client {
 namespace {
+
+constexpr int kUsualPort = 9559;
 
 struct OwnRobot {
   std::mutex mutex;
@@ -34,6 +39,35 @@ void redirect(Endpoint& endpoint, std::string address) {
   if (port > 0 && port <= 65535) endpoint.port = static_cast<std::uint16_t>(port);
 }
 
+std::vector<std::string> split(const std::string& list) {
+  std::vector<std::string> parts;
+  std::istringstream in(list);
+  for (std::string part; std::getline(in, part, ',');) parts.push_back(part);
+  return parts;
+}
+
+// Which host this is of those that the program has named, the first one first.
+std::size_t orderOf(const std::string& host) {
+  static std::mutex mutex;
+  static std::vector<std::string> hosts;
+  const std::lock_guard lock(mutex);
+  if (host.empty()) return 0;
+  const auto found = std::find(hosts.begin(), hosts.end(), host);
+  const auto order = static_cast<std::size_t>(found - hosts.begin());
+  if (found == hosts.end()) hosts.push_back(host);
+  return order;
+}
+
+// Of several robots the one with that number behind the usual port, or of that host.
+std::string robotFor(const std::vector<std::string>& robots, const std::string& host, int port) {
+  if (robots.size() == 1) return robots.front();
+  const int number = port - kUsualPort;
+  if (number > 0 && number < static_cast<int>(robots.size())) {
+    return robots[static_cast<std::size_t>(number)];
+  }
+  return robots[std::min(orderOf(host), robots.size() - 1)];
+}
+
 }  // namespace
 
 Endpoint endpointFor(const std::string& host, int port) {
@@ -41,13 +75,13 @@ Endpoint endpointFor(const std::string& host, int port) {
     const std::lock_guard lock(ownRobot().mutex);
     if (ownRobot().endpoint) return *ownRobot().endpoint;
   }
-  constexpr int kUsualPort = 9559;
   const bool usable = port > 0 && port <= 65535;
   Endpoint endpoint{host.empty() ? "127.0.0.1" : host,
                     static_cast<std::uint16_t>(usable ? port : kUsualPort),
                     environment("USARNAOQI_USER"), environment("USARNAOQI_TOKEN")};
   if (const std::string ip = environment("NAO_IP"); !ip.empty()) endpoint.host = ip;
-  if (const std::string all = environment("NAOQI_ADDRESS"); !all.empty()) redirect(endpoint, all);
+  const std::vector<std::string> robots = split(environment("NAOQI_ADDRESS"));
+  if (!robots.empty()) redirect(endpoint, robotFor(robots, host, endpoint.port));
   return endpoint;
 }
 

@@ -1,20 +1,42 @@
 """Where a program is sent to: addresses written into it give way to the environment.
 
-NAOQI_ADDRESS=host[:port] replaces host and port, NAO_IP=host the host alone.
+NAOQI_ADDRESS=host[:port] replaces host and port, NAO_IP=host the host alone. With several robots,
+NAOQI_ADDRESS=host:port,host:port..., robot i is meant by port 9559 + i, as `usarnaoqi serve` counts
+them, or else by the i-th host that the program names, from 0 on.
 """
 
 import os
-from typing import Optional, Tuple
+import threading
+from typing import List, Optional, Tuple
 
 DEFAULT_PORT = 9559
 DEFAULT_HOST = "127.0.0.1"
 
+_lock = threading.Lock()
+_hosts: List[str] = []  # that the program has named, the first one first
+
 
 def address(host: Optional[str] = None, port: Optional[int] = None) -> str:
     """"host:port" to connect to when a program asks for these."""
-    override = _bare(os.environ.get("NAOQI_ADDRESS", ""))
+    override = _override(_bare(host or ""), int(port or DEFAULT_PORT))
     chosen = override or os.environ.get("NAO_IP") or _bare(host or "") or DEFAULT_HOST
     return chosen if ":" in chosen else "%s:%d" % (chosen, int(port or DEFAULT_PORT))
+
+
+def _override(host: str, port: int) -> str:
+    robots = [_bare(one.strip()) for one in os.environ.get("NAOQI_ADDRESS", "").split(",")]
+    if len(robots) == 1:
+        return robots[0]
+    if DEFAULT_PORT < port < DEFAULT_PORT + len(robots):
+        return robots[port - DEFAULT_PORT]
+    return robots[min(_orderOf(host), len(robots) - 1)]
+
+
+def _orderOf(host: str) -> int:
+    with _lock:
+        if host and host not in _hosts:
+            _hosts.append(host)
+        return _hosts.index(host) if host else 0
 
 
 def addressOfUrl(url: str) -> str:
