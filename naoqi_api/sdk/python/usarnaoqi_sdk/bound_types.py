@@ -38,6 +38,22 @@ def offeredMethods(target: Any) -> List[OfferedMethod]:
     return found
 
 
+def ownMethods(target: Any, standard: List[OfferedMethod]) -> List[OfferedMethod]:
+    """Those that `target` offers beside `standard`: a user's method of the same name counts if it
+    takes other arguments."""
+    names = {method.name for method in standard}
+    signatures = {(method.name, method.arguments) for method in standard}
+    return [method for method in offeredMethods(target)
+            if method.name not in names or (_isTheUsers(target, method.name) and
+                                            (method.name, method.arguments) not in signatures)]
+
+
+def _isTheUsers(target: Any, name: str) -> bool:
+    """Not inherited from a class of this package."""
+    owners = [cls.__module__ for cls in type(target).__mro__ if name in vars(cls)]
+    return not owners or owners[0].split(".")[0] != __name__.split(".", maxsplit=1)[0]
+
+
 def _isAccessor(target: Any, name: str) -> bool:
     """A Python property: looking at it would run code."""
     return isinstance(getattr(type(target), name, None), property)

@@ -7,7 +7,7 @@ import threading
 import uuid
 from typing import Any, Callable, Dict, List, NamedTuple, Optional, Tuple
 
-from .bound_types import MULTI, STANDARD, THREADING, OfferedMethod, offeredMethods
+from .bound_types import MULTI, STANDARD, THREADING, OfferedMethod, ownMethods
 from .connection import CANNOT_HANDLE, Connection
 from .conversion import convert
 from .encoding import Reference, Typed, encode
@@ -53,10 +53,8 @@ class HostedObject:
         standard = getattr(target, STANDARD, None)
         for method in standard(self.methods) if standard else []:
             self.methods[next(ids)] = method
-        taken = {method.name for method in self.methods.values()}
-        for method in offeredMethods(target):
-            if method.name not in taken:
-                self.methods[next(ids)] = method
+        for method in ownMethods(target, list(self.methods.values())):
+            self.methods[next(ids)] = method
         for name in dir(target):
             if not name.startswith("__") and isinstance(getattr(target, name, None), Signal):
                 self.signals[next(ids)] = (name, getattr(target, name))

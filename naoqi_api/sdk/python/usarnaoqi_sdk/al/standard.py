@@ -4,14 +4,29 @@ begins (`__pCall`, `wait`, `isRunning`, `stop`), and what tells of the others.""
 import itertools
 import sys
 import threading
-from typing import Any, Callable, Dict, List
+from typing import Any, Callable, Dict, List, Optional
 
 from ..bound_types import OfferedMethod
 from ..conversion import convert
 from ..errors import CallError
+from ..future import Future
 from ..signature import parse
 
 Methods = Dict[int, OfferedMethod]
+
+
+class _Task:
+    """One posted call; it lasts as long as the future that its method returns, if it does."""
+
+    def __init__(self) -> None:
+        self.over = threading.Event()
+        self.future: Optional[Future] = None
+
+    def run(self, function: Callable[[], Any]) -> None:
+        result = function()
+        if isinstance(result, Future):
+            self.future = result
+            result.value()
 
 
 class Tasks:
@@ -19,31 +34,41 @@ class Tasks:
 
     def __init__(self) -> None:
         self._numbers = itertools.count(1)
-        self._running: Dict[int, threading.Event] = {}
+        self._running: Dict[int, _Task] = {}
 
     def start(self, name: str, function: Callable[[], Any]) -> int:
-        number, over = next(self._numbers), threading.Event()
-        self._running[number] = over
+        number, task = next(self._numbers), _Task()
+        self._running[number] = task
 
         def run() -> None:
             try:
-                function()
+                task.run(function)
             except Exception as error:  # pylint: disable=broad-except  # nobody asks how it ended
                 sys.stderr.write("%s: %s\n" % (name, error))
             finally:
                 self._running.pop(number, None)
-                over.set()
+                task.over.set()
 
         threading.Thread(target=run, name=name, daemon=True).start()
         return number
 
     def wait(self, number: int, timeout_ms: int) -> bool:
         """True if the time-out [ms] came first; 0: no limit."""
-        over = self._running.get(number)
-        return over is not None and not over.wait(timeout_ms / 1000 if timeout_ms > 0 else None)
+        task = self._running.get(number)
+        limit = timeout_ms / 1000 if timeout_ms > 0 else None
+        return task is not None and not task.over.wait(limit)
 
     def isRunning(self, number: int) -> bool:
         return number in self._running
+
+    def stop(self, number: int) -> None:
+        """Cancels a future; Python code that runs is not to be stopped. Raises CallError."""
+        task = self._running.get(number)
+        if not task:
+            return
+        if not task.future or not task.future.isCancelable():
+            raise CallError("a method that runs can not be stopped")
+        task.future.cancel()
 
 
 class StandardMethods:
@@ -68,17 +93,14 @@ class StandardMethods:
                   self._tasks.wait),
                  ("isRunning", "(i)", "b", "Whether a posted call has not ended.",
                   self._tasks.isRunning),
-                 ("stop", "(i)", "v", "Refused: a method that runs can not be stopped.",
-                  self._stop),
+                 ("stop", "(i)", "v", "Stops a posted call, if it can be stopped.",
+                  self._tasks.stop),
                  ("getBrokerName", "()", "s", "The name of the broker.", module.getBrokerName),
                  ("getUsage", "(s)", "s", "One line on a method.", self._usage))
         return [OfferedMethod(*row) for row in table]
 
     def _exit(self) -> None:
         raise CallError("a client can not end a module")
-
-    def _stop(self, _: int) -> None:
-        raise CallError("a method that runs can not be stopped")
 
     def _post(self, uid: int, arguments: List[Any]) -> int:
         method = self._methods.get(uid)
