@@ -94,6 +94,21 @@ class TransformTest(unittest.TestCase):
         almath.pointMassRotationalInertia(2, almath.Position3D(3, 0, 4), inertia)
         self.assertEqual(inertia, [32, 0, -24, 0, 50, 0, -24, 0, 18])
 
+    def testATransformAndItsVelocityGoTogether(self):
+        moving = almath.TransformAndVelocity6D(SOME, almath.Velocity6D(1, 2, 3, 4, 5, 6))
+        self.assertEqual((moving.T, moving.V.wzd), (SOME, 6))
+        self.assertTrue(moving.isNear(almath.TransformAndVelocity6D(moving.T, moving.V)))
+        self.assertFalse(moving.isNear(almath.TransformAndVelocity6D()))
+        moving.T *= SOME.inverse()
+        self.assertNotEqual(moving.T, SOME)
+
+    def testDeterminantsAreThoseOfTheTurn(self):
+        self.assertAlmostEqual(almath.determinant(SOME), 1.0, delta=EXACT)
+        numbers = [2, 1, 0, 9, 0, 3, 1, 9, 4, 0, 5, 9]  # 2 * 15 - 1 * (0 - 4)
+        for matrix in (numbers, almath.Transform(numbers),
+                       almath.Rotation(2, 1, 0, 0, 3, 1, 4, 0, 5)):
+            self.assertAlmostEqual(almath.determinant(matrix), 34.0)
+
     def testInPlaceProductsAreProducts(self):
         target = almath.Transform(SOME)
         target *= OTHER
@@ -135,6 +150,29 @@ class RotationTest(unittest.TestCase):
                 for angles in ((0.3, -0.2, 0.9), (1.0, 0.4, -2.0)))
         product = almath.rotationFromQuaternion(a) * almath.rotationFromQuaternion(b)
         self.assertTrue(almath.rotationFromQuaternion(a * b).isNear(product, EXACT))
+
+    def testHalfAndQuarterTurnsAreExact(self):
+        self.assertEqual(almath.Rotation.fromRotXPi() * almath.Position3D(1, 2, 3),
+                         almath.Position3D(1, -2, -3))
+        self.assertEqual(almath.Rotation.fromRotYPi() * almath.Position3D(1, 2, 3),
+                         almath.Position3D(-1, 2, -3))
+        self.assertEqual(almath.Rotation.fromRotZPi() * almath.Position3D(1, 2, 3),
+                         almath.Position3D(-1, -2, 3))
+        self.assertEqual(almath.Rotation.fromRotZHalfPi() * almath.Position3D(1, 2, 3),
+                         almath.Position3D(-2, 1, 3))
+
+    def testTurnsKeepWhatAVectorIs(self):
+        quarter = almath.quaternionFromAngleAndAxisRotation(math.pi / 2, 0, 0, 1)
+        turned = quarter * almath.Position3D(1, 2, 3)
+        self.assertTrue(turned.isNear(almath.Position3D(-2, 1, 3), EXACT), turned)
+        turned = almath.rotationFromQuaternion(quarter) * almath.Velocity3D(1, 2, 3)
+        self.assertIsInstance(turned, almath.Velocity3D)
+        self.assertTrue(turned.isNear(almath.Velocity3D(-2, 1, 3), EXACT), turned)
+
+    def testAQuaternionAndItsNegativeTurnAlike(self):
+        some = almath.quaternionFromAngleAndAxisRotation(0.7, 0.6, 0.0, 0.8)
+        self.assertTrue(some.isNear(-some))
+        self.assertFalse(some.isNear(some.inverse()))
 
     def testAngleAndAxisComeBack(self):
         quaternion = almath.quaternionFromAngleAndAxisRotation(0.7, 0.6, 0.0, 0.8)
@@ -229,6 +267,15 @@ class ToolsTest(unittest.TestCase):
         self.assertAlmostEqual(abs(almath.meanAngle([3.1, -3.1])), math.pi, delta=ROUND_TRIP)
         with self.assertRaises(RuntimeError):
             almath.meanAngle([0.0, math.pi])
+
+    def testUnitVectorsAndRightAnglesAreTold(self):
+        self.assertTrue(almath.isUnitVector(almath.Position3D(0.6, 0, -0.8)))
+        self.assertFalse(almath.isUnitVector(almath.Position3D(0.6, 0, -0.81)))
+        self.assertTrue(almath.isUnitVector(almath.Position3D(0.6, 0, -0.81), 0.1))
+        self.assertTrue(almath.isOrthogonal(almath.Position3D(1, 2, 3),
+                                            almath.Position3D(3, 0, -1)))
+        self.assertFalse(almath.isOrthogonal(almath.Position3D(1, 2, 3),
+                                             almath.Position3D(3, 0, -1.1)))
 
     def testVectorsAddScaleAndCross(self):
         a, b = almath.Position3D(1, 2, 3), almath.Position3D(-1, 0, 2)

@@ -1,11 +1,12 @@
-"""Turns and shifts in one."""
+"""Pairs: of a turn and a shift, of a place and a motion."""
 
 from typing import Any
 
 from .record import NEAR
 from .rotations import Quaternion, quaternionFromRotation3D
 from .tools import position3DFromPosition6D, rotation3DFromPosition6D
-from .vectors import Position3D, Position6D
+from .transforms import Transform
+from .vectors import Position3D, Position6D, Velocity6D
 
 
 class Displacement:
@@ -16,17 +17,21 @@ class Displacement:
         self.Q = Quaternion() if turn is None else Quaternion(turn)
 
     def __mul__(self, other: "Displacement") -> "Displacement":
-        return Displacement(self.P + _turned(self.Q, other.P), self.Q * other.Q)
+        return Displacement(self.P + self.Q * other.P, self.Q * other.Q)
 
     def isNear(self, other: "Displacement", epsilon: float = NEAR) -> bool:
-        """q and -q are the same turn."""
-        near = self.Q.isNear(other.Q, epsilon) or self.Q.isNear(other.Q * -1.0, epsilon)
-        return near and self.P.isNear(other.P, epsilon)
+        return self.Q.isNear(other.Q, epsilon) and self.P.isNear(other.P, epsilon)
 
 
-def _turned(turn: Quaternion, place: Position3D) -> Position3D:
-    q = turn * Quaternion(0, *place) * turn.inverse()
-    return Position3D(q.x, q.y, q.z)
+class TransformAndVelocity6D:
+    """Where a body is, T, and how it moves, V."""
+
+    def __init__(self, place: Any = None, motion: Any = None):
+        self.T = Transform() if place is None else Transform(place)
+        self.V = Velocity6D() if motion is None else Velocity6D(motion)
+
+    def isNear(self, other: "TransformAndVelocity6D", epsilon: float = NEAR) -> bool:
+        return self.T.isNear(other.T, epsilon) and self.V.isNear(other.V, epsilon)
 
 
 def quaternionPosition3DFromPosition6D(position: Position6D, turn: Quaternion,

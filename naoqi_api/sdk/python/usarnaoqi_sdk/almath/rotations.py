@@ -4,7 +4,7 @@ import math
 from typing import Any, List, Sequence
 
 from .record import NEAR, Record, Vector
-from .vectors import Position3D, Rotation3D
+from .vectors import Position3D, Rotation3D, Velocity3D
 
 
 class Rotation(Record):
@@ -25,7 +25,8 @@ class Rotation(Record):
         if isinstance(other, Rotation):
             return fromRows(multiply(self.rows(), other.rows()))
         x, y, z = other
-        return Position3D(*[row[0] * x + row[1] * y + row[2] * z for row in self.rows()])
+        kind = Velocity3D if isinstance(other, Velocity3D) else Position3D
+        return kind(*[row[0] * x + row[1] * y + row[2] * z for row in self.rows()])
 
     def __imul__(self, other: Any):
         return self._become(self * other)
@@ -63,6 +64,24 @@ class Rotation(Record):
         return rotationFromRotZ(angle)
 
     @staticmethod
+    def fromRotXPi() -> "Rotation":
+        """By exactly half a turn."""
+        return Rotation(1, 0, 0, 0, -1, 0, 0, 0, -1)
+
+    @staticmethod
+    def fromRotYPi() -> "Rotation":
+        return Rotation(-1, 0, 0, 0, 1, 0, 0, 0, -1)
+
+    @staticmethod
+    def fromRotZPi() -> "Rotation":
+        return Rotation(-1, 0, 0, 0, -1, 0, 0, 0, 1)
+
+    @staticmethod
+    def fromRotZHalfPi() -> "Rotation":
+        """By exactly a quarter of a turn."""
+        return Rotation(0, -1, 0, 1, 0, 0, 0, 0, 1)
+
+    @staticmethod
     def from3DRotation(wx: float, wy: float, wz: float) -> "Rotation":
         return rotationFrom3DRotation(wx, wy, wz)
 
@@ -84,6 +103,8 @@ class Quaternion(Vector):
         return (1.0, 0.0, 0.0, 0.0)
 
     def __mul__(self, other: Any):
+        if isinstance(other, Position3D):
+            return rotationFromQuaternion(self) * other
         if not isinstance(other, Quaternion):
             return Vector.__mul__(self, other)
         a, b = self, other
@@ -91,6 +112,10 @@ class Quaternion(Vector):
                           a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
                           a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
                           a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w)
+
+    def isNear(self, other: Any, epsilon: float = NEAR) -> bool:
+        """q and -q turn alike."""
+        return Vector.isNear(self, other, epsilon) or Vector.isNear(-self, other, epsilon)
 
     def inverse(self) -> "Quaternion":
         square = self.dotProduct(self)

@@ -3,6 +3,7 @@
 import math
 from typing import Any, List, Sequence
 
+from .record import NEAR
 from .vectors import Pose2D, Position2D, Position3D, Position6D, Rotation3D, Velocity6D
 
 PI, PI_2, PI_4 = math.pi, math.pi / 2, math.pi / 4
@@ -61,6 +62,14 @@ def dotProduct(a: Any, b: Any) -> float:
 
 def crossProduct(a: Any, b: Any) -> Any:
     return a.crossProduct(b)
+
+
+def isUnitVector(vector: Any, epsilon: float = NEAR) -> bool:
+    return vector.isUnitVector(epsilon)
+
+
+def isOrthogonal(a: Any, b: Any, epsilon: float = NEAR) -> bool:
+    return a.isOrthogonal(b, epsilon)
 
 
 def pose2DInverse(pose: Pose2D) -> Pose2D:

@@ -227,6 +227,12 @@ def transformDeterminant(transform: Transform) -> float:
     return transform.determinant()
 
 
+def determinant(matrix: Any) -> float:
+    """Of a rotation, of a transform or of its numbers."""
+    known = hasattr(matrix, "determinant")
+    return matrix.determinant() if known else Transform(matrix).determinant()
+
+
 def transformToFloatVector(transform: Transform) -> List[float]:
     return transform.toVector()
 
