@@ -328,6 +328,8 @@ void addRun(CLI::App& app) {
       "PYTHONPATH,\n"
       "so that naoqi, qi, almath, motion and vision_definitions are there unless they are "
       "installed.\n"
+      "Of several robots, robot i from 0 on is meant by port 9559 + i, or else by the i-th\n"
+      "address that it names.\n"
       "The exit code is the program's; 128 + n if signal n ended it. In lockstep time passes only\n"
       "while the program waits; a call that is answered at once takes 0.5 ms of it.");
   command->callback([arguments] { run(*arguments); });

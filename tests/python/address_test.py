@@ -10,7 +10,7 @@ from usarnaoqi_sdk import address as addresses
 
 class AddressTest(unittest.TestCase):
     def setUp(self):
-        patch = mock.patch.object(addresses, "_hosts", [])
+        patch = mock.patch.object(addresses, "_named", [])
         patch.start()
         self.addCleanup(patch.stop)
 
@@ -37,6 +37,17 @@ class AddressTest(unittest.TestCase):
         hosts = ["first", "second", "first", "third", "fourth", ""]
         found = [self.of(host, 9559, NAOQI_ADDRESS=three) for host in hosts]
         self.assertEqual(found, ["a:1", "b:2", "a:1", "c:3", "c:3", "a:1"])
+
+    def testThisMachineIsOneHostWhateverItIsCalled(self):
+        two = "127.0.0.1:5,127.0.0.1:6"
+        for host in ("localhost", "127.0.0.1", "0.0.0.0", "Localhost"):
+            self.assertEqual(self.of(host, 9559, NAOQI_ADDRESS=two), "127.0.0.1:5", host)
+        self.assertEqual(self.of("nao.local", 9559, NAOQI_ADDRESS=two), "127.0.0.1:6")
+
+    def testPortsFarFromTheUsualOneTellRobotsApartToo(self):
+        found = [self.of("127.0.0.1", port, NAOQI_ADDRESS="a:1,b:2") for port in
+                 (38001, 38002, 38001)]
+        self.assertEqual(found, ["a:1", "b:2", "a:1"])
 
 
 if __name__ == "__main__":

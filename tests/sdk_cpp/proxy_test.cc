@@ -51,10 +51,11 @@ TEST_F(ProxyTest, OneOfSeveralRobotsIsMeantByItsPortOrItsHost) {
   const auto which = [](const std::string& host, int port) {
     return AL::ALMemoryProxy(host, port).getData("Which").toString();
   };
-  const std::vector<std::string> found = {which("10.0.0.1", 9559), which("10.0.0.1", 9560),
-                                          which("10.0.0.2", 9559)};
+  const std::vector<std::string> found = {which("localhost", 9559), which("127.0.0.1", 9559),
+                                          which("10.0.0.1", 9560), which("10.0.0.2", 9559)};
   ::unsetenv("NAOQI_ADDRESS");
-  EXPECT_EQ(found, (std::vector<std::string>{"\"first\"", "\"second\"", "\"second\""}));
+  const std::vector<std::string> wanted = {"\"first\"", "\"first\"", "\"second\"", "\"second\""};
+  EXPECT_EQ(found, wanted);
 }
 
 TEST_F(ProxyTest, ListsOfNamesAndAnglesAreVectors) {

@@ -41,10 +41,11 @@ class RunTest(FolderTest):
     def testOneOfSeveralRobotsIsMeantByItsPortOrItsHost(self):
         script = self.write("script.py", (
             "from naoqi import ALProxy\n"
-            "for host, port in (('127.0.0.1', 9559), ('127.0.0.1', 9560), ('10.0.0.2', 9559)):\n"
+            "for host, port in (('127.0.0.1', 9559), ('localhost', 9559), ('127.0.0.1', 9560),\n"
+            "                   ('10.0.0.2', 9559)):\n"
             "    print(len(ALProxy('ALMotion', host, port).getBodyNames('Body')))\n"))
         self.assertEqual(self.run_("--robot", "nao_h21_v33", "--robot", "nao_h25_v50", script),
-                         "22\n26\n26\n")
+                         "22\n22\n26\n26\n")
 
     def testArgumentsAndExitCodeAreTheProgramsOwn(self):
         script = self.write("script.py", "import sys; print(sys.argv[1:]); sys.exit(7)")

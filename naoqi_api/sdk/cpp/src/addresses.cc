@@ -1,10 +1,12 @@
 #include "naoqi_api/sdk/cpp/src/addresses.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <mutex>
 #include <optional>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace nao::client {
@@ -46,26 +48,34 @@ std::vector<std::string> split(const std::string& list) {
   return parts;
 }
 
-// Which host this is of those that the program has named, the first one first.
-std::size_t orderOf(const std::string& host) {
+// This machine has several names.
+std::string plainHost(std::string host) {
+  std::transform(host.begin(), host.end(), host.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return host == "localhost" || host == "0.0.0.0" ? "127.0.0.1" : host;
+}
+
+// Which address this is of those that the program has named, the first one first.
+std::size_t orderOf(const std::string& host, int port) {
   static std::mutex mutex;
-  static std::vector<std::string> hosts;
-  const std::lock_guard lock(mutex);
+  static std::vector<std::pair<std::string, int>> named;
   if (host.empty()) return 0;
-  const auto found = std::find(hosts.begin(), hosts.end(), host);
-  const auto order = static_cast<std::size_t>(found - hosts.begin());
-  if (found == hosts.end()) hosts.push_back(host);
+  const std::pair<std::string, int> one{plainHost(host), port};
+  const std::lock_guard lock(mutex);
+  const auto found = std::find(named.begin(), named.end(), one);
+  const auto order = static_cast<std::size_t>(found - named.begin());
+  if (found == named.end()) named.push_back(one);
   return order;
 }
 
-// Of several robots the one with that number behind the usual port, or of that host.
+// Of several robots the one with that number behind the usual port, or of that address.
 std::string robotFor(const std::vector<std::string>& robots, const std::string& host, int port) {
   if (robots.size() == 1) return robots.front();
   const int number = port - kUsualPort;
   if (number > 0 && number < static_cast<int>(robots.size())) {
     return robots[static_cast<std::size_t>(number)];
   }
-  return robots[std::min(orderOf(host), robots.size() - 1)];
+  return robots[std::min(orderOf(host, port), robots.size() - 1)];
 }
 
 }  // namespace

@@ -10,8 +10,8 @@ namespace nao::client {
 
 /// Where a program that names `host` and `port` is to connect to: there, unless the environment
 /// says NAOQI_ADDRESS=[tcp://]host[:port] or NAO_IP=host. Of several robots, with commas between
-/// them, robot i is meant by port 9559 + i, or else by the i-th host that was named. User and token
-/// are those of USARNAOQI_USER and USARNAOQI_TOKEN, and a module's host may have set all
+/// them, robot i is meant by port 9559 + i, or else by the i-th address that was named. User and
+/// token are those of USARNAOQI_USER and USARNAOQI_TOKEN, and a module's host may have set all
 /// (setOwnRobot).
 Endpoint endpointFor(const std::string& host, int port);
 

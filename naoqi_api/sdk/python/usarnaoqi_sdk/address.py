@@ -2,7 +2,7 @@
 
 NAOQI_ADDRESS=host[:port] replaces host and port, NAO_IP=host the host alone. With several robots,
 NAOQI_ADDRESS=host:port,host:port..., robot i is meant by port 9559 + i, as `usarnaoqi serve` counts
-them, or else by the i-th host that the program names, from 0 on.
+them, or else by the i-th address that the program names, from 0 on.
 """
 
 import os
@@ -11,9 +11,10 @@ from typing import List, Optional, Tuple
 
 DEFAULT_PORT = 9559
 DEFAULT_HOST = "127.0.0.1"
+THIS_MACHINE = frozenset({"localhost", "127.0.0.1", "0.0.0.0"})
 
 _lock = threading.Lock()
-_hosts: List[str] = []  # that the program has named, the first one first
+_named: List[Tuple[str, int]] = []  # hosts and ports, the first one first
 
 
 def address(host: Optional[str] = None, port: Optional[int] = None) -> str:
@@ -29,14 +30,17 @@ def _override(host: str, port: int) -> str:
         return robots[0]
     if DEFAULT_PORT < port < DEFAULT_PORT + len(robots):
         return robots[port - DEFAULT_PORT]
-    return robots[min(_orderOf(host), len(robots) - 1)]
+    return robots[min(_orderOf(host.lower(), port), len(robots) - 1)]
 
 
-def _orderOf(host: str) -> int:
+def _orderOf(host: str, port: int) -> int:
+    if not host:
+        return 0
+    one = DEFAULT_HOST if host in THIS_MACHINE else host, port
     with _lock:
-        if host and host not in _hosts:
-            _hosts.append(host)
-        return _hosts.index(host) if host else 0
+        if one not in _named:
+            _named.append(one)
+        return _named.index(one)
 
 
 def addressOfUrl(url: str) -> str:
