@@ -1,49 +1,13 @@
 """Python 2 programs, converted: what they print, where their modules come from, what stays."""
 
 import os
-import subprocess
-import sys
-import tempfile
 import unittest
 
-from support import ROOT
-
-SDK = os.path.join(ROOT, "naoqi_api", "sdk", "python")
+from python2_runner import Runner, needsTranslator
 
 
-def hasTranslator():
-    found = subprocess.run([sys.executable, "-W", "ignore", "-c",
-                            "from usarnaoqi_sdk.python2.translate import Translator; Translator()"],
-                           env=dict(os.environ, PYTHONPATH=SDK), capture_output=True, check=False)
-    return found.returncode == 0
-
-
-@unittest.skipUnless(hasTranslator(), "this Python has neither lib2to3 nor fissix")
-class Converted(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
-
-    def write(self, name, text):
-        path = os.path.join(self.folder, name)
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(text)
-        return path
-
-    def run_(self, text, *arguments, code=0):
-        script = self.write("script.py", text)
-        copies = tempfile.TemporaryDirectory()
-        self.addCleanup(copies.cleanup)
-        environment = dict(os.environ, PYTHONPATH=SDK, USARNAOQI_PY2_FOLDER=copies.name,
-                           PYTHONDONTWRITEBYTECODE="1", PYTHONIOENCODING="utf-8")
-        done = subprocess.run([sys.executable, "-m", "usarnaoqi_sdk.python2", script, *arguments],
-                              env=environment, text=True, cwd=self.folder, capture_output=True,
-                              timeout=60, encoding="utf-8", check=False)
-        self.assertEqual(done.returncode, code, done.stderr)
-        self.errors = done.stderr
-        return done.stdout.splitlines()
-
+@needsTranslator
+class Converted(Runner):
     def testOldWordsWork(self):
         self.assertEqual(self.run_(
             "import sys, Queue\n"
@@ -92,7 +56,7 @@ class Converted(unittest.TestCase):
                                    "def frombytes(mode, size, data): return Image()\n")
         self.assertEqual(self.run_("import Image\nfrom PIL import Image as new\n"
                                    "print Image.fromstring('RGB', (1, 2), '').tostring(), "
-                                   "Image is new\n"), ["b'pixels' True"])
+                                   "Image is new\n"), ["pixels True"])
 
     def testTheEncodingMayBeSet(self):
         self.assertEqual(self.run_("import sys\nreload(sys)\n"

@@ -8,7 +8,7 @@ import sys
 import sysconfig
 import tokenize
 from importlib.abc import MetaPathFinder
-from typing import Any, Dict, Iterator, Optional, Tuple
+from typing import Any, Dict, Iterator, List, Optional, Tuple
 
 from .translate import Translator
 
@@ -140,8 +140,17 @@ def importedBy(code: Any) -> Iterator[str]:
             yield node.module
 
 
+_current: List[Copies] = []
+
+
+def current() -> Copies:
+    """Those of the program that runs."""
+    return _current[-1]
+
+
 def install(copies: Copies, script: str) -> None:
     """From now on imports are the user's of Python 2; what `script` may import is ready."""
+    _current.append(copies)
     finder = Finder(copies)
     finder.prepare(script)
     sys.meta_path.insert(0, finder)

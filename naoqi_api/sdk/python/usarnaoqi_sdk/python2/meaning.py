@@ -1,7 +1,10 @@
 """What words and operators meant in Python 2, for converted programs."""
 
 import builtins
-import codecs
+import decimal
+import importlib
+import itertools
+import math
 import numbers
 import operator
 import sys
@@ -9,9 +12,14 @@ from collections import namedtuple
 from functools import cmp_to_key
 from typing import Any, Callable, List, Optional, Tuple
 
-__all__ = ["cmp", "file", "ord", "py2_decode", "py2_divide", "py2_encode", "py2_greater",
-           "py2_greater_equal", "py2_less", "py2_less_equal", "py2_version_info", "reload",
-           "sorted", "unichr"]
+from . import loader
+from .byte_text import py2_call, py2_decode, py2_encode, py2_join, py2_pickle
+
+__all__ = ["cmp", "exec", "execfile", "file", "filter", "map", "open", "ord", "py2_call", "py2_decode",
+           "py2_divide", "py2_encode", "py2_greater", "py2_greater_equal", "py2_items", "py2_join",
+           "py2_less", "py2_less_equal", "py2_message", "py2_next", "py2_pickle", "py2_sort",
+           "py2_translate", "py2_version_info", "raw_input", "reload", "round", "sorted", "unichr",
+           "zip"]
 
 VersionInfo = namedtuple("VersionInfo", "major minor micro releaselevel serial")
 py2_version_info = VersionInfo(2, 7, 18, "final", 0)  # the last one
@@ -46,29 +54,11 @@ py2_less, py2_greater = _comparison(operator.lt), _comparison(operator.gt)
 py2_less_equal, py2_greater_equal = _comparison(operator.le), _comparison(operator.ge)
 
 
-def py2_decode(value: Any, *arguments: Any, **named: Any) -> Any:
-    """value.decode(): a text may be its own bytes, of "hex" and the like, or is text already."""
-    if not isinstance(value, str):
-        return value.decode(*arguments, **named)
-    if arguments and _isOfBytes(arguments[0]):
-        return codecs.decode(value.encode("latin-1"), arguments[0]).decode("latin-1")
-    return value
-
-
-def py2_encode(value: Any, *arguments: Any, **named: Any) -> Any:
-    """value.encode(): "hex" and the like make text of a text's bytes."""
-    if arguments and isinstance(value, (str, bytes)) and _isOfBytes(arguments[0]):
-        data = value.encode("latin-1") if isinstance(value, str) else value
-        return codecs.encode(data, arguments[0]).decode("latin-1")
-    return value.encode(*arguments, **named)
-
-
-def _isOfBytes(encoding: Any) -> bool:
-    return str(encoding).replace("_codec", "") in {"hex", "base64", "zlib", "bz2"}
-
-
 def cmp(a: Any, b: Any) -> int:
     return py2_greater(a, b) - py2_less(a, b)
+
+
+_compare = cmp
 
 
 def ord(character: Any) -> int:  # pylint: disable=redefined-builtin
@@ -76,27 +66,126 @@ def ord(character: Any) -> int:  # pylint: disable=redefined-builtin
     return character if isinstance(character, int) else builtins.ord(character)
 
 
-def sorted(values: Any, key: Any = None, reverse: bool = False,  # pylint: disable=redefined-builtin
-           cmp: Optional[Callable[[Any, Any], int]] = None) -> List[Any]:
-    """With `cmp`, also as the second argument."""
-    if key is not None and cmp is None and _takesTwo(key):
-        key, cmp = None, key
-    return builtins.sorted(values, key=cmp_to_key(cmp) if cmp else key, reverse=reverse)
+def sorted(values: Any,  # pylint: disable=redefined-builtin
+           cmp: Optional[Callable[[Any, Any], int]] = None, key: Any = None,
+           reverse: bool = False) -> List[Any]:
+    """Also of things that Python 3 does not compare."""
+    values = list(values)
+    if cmp:
+        order = cmp_to_key(cmp)
+        return builtins.sorted(values, key=lambda v: order(key(v) if key else v), reverse=reverse)
+    try:
+        return builtins.sorted(values, key=key, reverse=reverse)
+    except TypeError:
+        return sorted(values, _compare, key, reverse)
 
 
-def _takesTwo(function: Any) -> bool:
-    return getattr(getattr(function, "__code__", None), "co_argcount", 1) == 2
+def py2_sort(values: Any, *arguments: Any, **named: Any) -> Any:
+    """values.sort()"""
+    if not isinstance(values, list):
+        return values.sort(*arguments, **named)
+    values[:] = sorted(values, *arguments, **named)
+    return None
 
 
-def file(name: str, mode: str = "r", *rest: Any) -> Any:
-    return open(name, mode, *rest)
+def py2_next(values: Any, *arguments: Any) -> Any:
+    """values.next()"""
+    if hasattr(values, "next") or arguments:
+        return values.next(*arguments)
+    return next(values)
+
+
+def py2_translate(text: Any, *arguments: Any) -> Any:
+    """text.translate(table, characters to leave out): without a table nothing else changes."""
+    if not isinstance(text, str):
+        return text.translate(*arguments)
+    table, left_out = (list(arguments) + [""])[:2]
+    kept = "".join(letter for letter in text if letter not in left_out)
+    return kept if table is None else kept.translate(table)
+
+
+def py2_message(error: Any) -> Any:
+    """error.message"""
+    if not isinstance(error, BaseException) or hasattr(error, "message"):
+        return error.message
+    return error.args[0] if len(error.args) == 1 else ""
+
+
+def py2_items(error: Any) -> Any:
+    """What error[0] is taken from."""
+    plain = isinstance(error, BaseException) and not hasattr(error, "__getitem__")
+    return error.args if plain else error
+
+
+def map(function: Any, *lists: Any) -> List[Any]:  # pylint: disable=redefined-builtin
+    """The shorter ones are filled up with None; so may the function be."""
+    if len(lists) == 1:
+        return [function(one) for one in lists[0]] if function else list(lists[0])
+    rows = itertools.zip_longest(*lists)
+    return [function(*row) if function else row for row in rows]
+
+
+def filter(function: Any, values: Any) -> Any:  # pylint: disable=redefined-builtin
+    """Of a text a text, of a tuple a tuple."""
+    kept = builtins.filter(function, values)
+    if isinstance(values, str):
+        return "".join(kept)
+    return tuple(kept) if isinstance(values, tuple) else list(kept)
+
+
+def zip(*lists: Any) -> List[Any]:  # pylint: disable=redefined-builtin
+    return list(builtins.zip(*lists))
+
+
+def round(number: Any, digits: int = 0) -> float:  # pylint: disable=redefined-builtin
+    """A float; halves away from zero."""
+    value = float(number)
+    if not math.isfinite(value):
+        return value
+    wide = decimal.Context(prec=1100, rounding=decimal.ROUND_HALF_UP)
+    return float(decimal.Decimal(value).quantize(decimal.Decimal(1).scaleb(-digits), context=wide))
+
+
+def open(name: Any, mode: str = "r",  # pylint: disable=redefined-builtin
+         buffering: int = -1) -> Any:
+    """Bytes that are no text pass through a text file as they are; a table is text."""
+    mode = mode.replace("U", "") or "r"
+    if str(name).endswith(".csv"):
+        mode = mode.replace("b", "")
+    if "b" in mode:
+        return builtins.open(name, mode, buffering)
+    return builtins.open(name, mode, 1 if buffering == 0 else buffering, encoding="utf-8",
+                         errors="surrogateescape")
+
+
+file = open
+
+
+def execfile(path: str, names: Any = None, own: Any = None) -> None:
+    """In the caller's names unless told others."""
+    _run(loader.current().compiled(path), names, own, sys._getframe(1))
+
+
+def exec(code: Any, names: Any = None,  # pylint: disable=redefined-builtin
+         own: Any = None) -> None:
+    """The same, of a text or what compile() made of one."""
+    if isinstance(code, (str, bytes)):
+        code = loader.current().translator.toPython3(str(code), "<string>")
+    _run(code, names, own, sys._getframe(1))
+
+
+def _run(code: Any, names: Any, own: Any, caller: Any) -> None:
+    if names is None:
+        names, own = caller.f_globals, caller.f_locals
+    builtins.exec(code, names, names if own is None else own)
 
 
 def reload(module: Any) -> Any:
-    """Modules stay as they are; `reload(sys)` was the way to setdefaultencoding()."""
-    if module is sys and not hasattr(sys, "setdefaultencoding"):
-        sys.setdefaultencoding = lambda _: None  # type: ignore[attr-defined]
+    """`reload(sys)` was the way to setdefaultencoding()."""
+    if module is not sys:
+        return importlib.reload(module)
+    sys.setdefaultencoding = lambda _: None  # type: ignore[attr-defined]
     return module
 
 
-unichr = chr
+unichr, raw_input = chr, input

@@ -1,15 +1,32 @@
 """Python 2's operators: `a / b` of whole numbers, and `a < b` of what Python 3 does not compare,
-become calls that do as it did; so do the methods that its strings had for both text and bytes."""
+become calls that do as it did; so do methods of what was text and bytes alike. Names that are
+keywords now get another one."""
 
+import ast
 from typing import Any
 
+NAME = 1  # lib2to3's number of a token
 DIVIDE = "py2_divide"
-METHODS = {".decode": "py2_decode", ".encode": "py2_encode"}
+METHODS = {"." + name: "py2_" + name for name in (
+    "decode", "encode", "join", "next", "sort", "translate")}
+# Of files, sockets and libraries: text and bytes were one.
+METHODS.update({"." + name: "py2_call" for name in (
+    "adler32", "b64decode", "b64encode", "check_output", "communicate", "compress", "crc32",
+    "decodestring", "decompress", "encodestring", "frombuffer", "frombytes", "fromstring",
+    "hexlify", "loads", "md5", "new", "pack", "read", "readline", "readlines", "recv", "recvfrom",
+    "send", "sendall", "sendto", "sha1", "sha256", "sha512", "tobytes", "tostring", "unhexlify",
+    "unpack", "unpack_from", "update", "urlsafe_b64decode", "urlsafe_b64encode", "write")})
+METHODS.update({".dump": "py2_pickle", ".load": "py2_pickle"})
+NAMED = {"py2_call", "py2_pickle"}  # are told which method is meant
+NEW_KEYWORDS = {"async", "await"}
 COMPARE = {"<": "py2_less", ">": "py2_greater", "<=": "py2_less_equal", ">=": "py2_greater_equal"}
 
 
 def translated(tree: Any, text: str) -> str:
     """The text of a tree of lib2to3's, its operators replaced."""
+    for leaf in tree.leaves():
+        if str(leaf).strip() in NEW_KEYWORDS and leaf.type == NAME:
+            leaf.value += "_"
     _visit(tree, "import division" not in text)
     return str(tree)
 
@@ -41,14 +58,34 @@ def _replaceMethods(node: Any) -> None:
     text, at = str(node.children[0])[len(prefix):], 1
     while at < len(node.children):
         if at + 1 < len(node.children) and _isMethod(node, at):
-            arguments = str(node.children[at + 1])[1:-1]
-            name = METHODS[str(node.children[at]).strip()]
-            text = "%s(%s%s)" % (name, text, ", " + arguments if arguments.strip() else "")
+            text = _call(str(node.children[at]).strip(), text, str(node.children[at + 1])[1:-1])
             at += 2
         else:
             text += str(node.children[at])
             at += 1
     _become(node, prefix, text)
+
+
+def _call(method: str, value: str, arguments: str) -> str:
+    function = METHODS[method]
+    first = value + (', "%s"' % method[1:] if function in NAMED else "")
+    if not arguments.strip():
+        return "%s(%s)" % (function, first)
+    if _isGenerator(arguments):
+        arguments = "(%s)" % arguments
+    return "%s(%s, %s)" % (function, first, arguments)
+
+
+def _isGenerator(arguments: str) -> bool:
+    """A lone one, which needs parentheses beside another argument."""
+    if " for " not in arguments.replace("\n", " "):
+        return False
+    try:
+        call: Any = ast.parse("f(%s)" % arguments, mode="eval").body
+    except SyntaxError:
+        return False
+    return len(call.args) == 1 and isinstance(call.args[0], ast.GeneratorExp) and \
+        not arguments.strip().startswith("(")
 
 
 def _replaceComparison(node: Any, name: str) -> None:
@@ -85,6 +122,6 @@ def _replaceAugmented(node: Any) -> None:
 
 def _become(node: Any, prefix: str, text: str) -> None:
     leaf_type = next(leaf for leaf in node.leaves())
-    leaf = type(leaf_type)(1, text)  # 1: a name, as far as the printing of the tree goes
+    leaf = type(leaf_type)(NAME, text)  # as far as the printing of the tree goes
     leaf.prefix = prefix
     node.replace(leaf)

@@ -6,9 +6,10 @@ from typing import Any, List
 
 from . import global_names, operators
 
-# A script's folder is no package, whatever else lies in it: imports stay absolute. What reload() is
-# here, meaning.py says.
-UNWANTED = frozenset({"import", "reload"})
+# A script's folder is no package, whatever else lies in it: imports stay absolute. The others'
+# words are defined, by meaning.py and old_library.py.
+UNWANTED = frozenset({"import", "reload", "map", "filter", "zip", "execfile", "itertools",
+                      "itertools_imports", "types"})
 PRELUDE = "from usarnaoqi_sdk.python2.meaning import *; "
 
 
@@ -95,10 +96,13 @@ def _quiet(tool: Any) -> Any:
 
 
 def _asPython2(text: str) -> str:
-    """Who asks for the version is told Python 2's: the branches for it are what was converted. A
-    name such as qi.async was not yet a keyword."""
-    text = re.sub(r"\bsys\.version_info\b", "py2_version_info", text)
-    return re.sub(r"\.async\b(?=\s*\()", ".async_", text)
+    """Who asks for the version is told Python 2's: the branches for it are what was converted.
+    Caught errors have a message and are lists."""
+    for name in set(re.findall(r"\bexcept\b[^:\n]* as (\w+)\s*:", text)):
+        text = re.sub(r"(?<![\w.])%s\.message\b(?!\s*[-+*/]?=[^=])" % name,
+                      "py2_message(%s)" % name, text)
+        text = re.sub(r"(?<![\w.])%s(?=\[\d+\])" % name, "py2_items(%s)" % name, text)
+    return re.sub(r"\bsys\.version_info\b", "py2_version_info", text)
 
 
 def _withoutTabs(text: str, columns: int) -> str:
