@@ -57,12 +57,41 @@ class Idioms(Runner):
 
     def testEncodedTextIsTextWhereItMeetsText(self):
         self.prints("name = u'Zo\\xeb'.encode('utf-8')\n"
-                    "print 'I am %s' % name, 'and ' + name, name + '!', len(name)\n"
+                    "print 'I am %s' % name, 'and ' + name, name + '!'\n"
                     "print ' '.join(['a', u'b'.encode('ascii')]), {'k': 1}[u'k'.encode('utf-8')]\n"
                     "print u'a,b'.encode('utf-8').split(','), 'x' in u'xy'.encode('utf-8')\n"
                     "print 'Zo\\xc3\\xab'.decode('utf-8') == u'Zo\\xeb', 'ab'.encode('utf-8')\n"
                     "import sys\nsys.stdout.write(u'out\\n'.encode('utf-8'))\n",
-                    "I am Zoë and Zoë Zoë! 4", "a b 1", "['a', 'b'] True", "True ab", "out")
+                    "I am Zoë and Zoë Zoë!", "a b 1", "['a', 'b'] True", "True ab", "out")
+
+    def testEncodedTextIsAString(self):
+        self.prints("import json, re\nname = u'ab'.encode('utf-8')\n"
+                    "print isinstance(name, str), re.sub('a', 'b', name), json.dumps([name])\n"
+                    "print 'abc'.replace(name, 'x'), sorted([name, 'aa']), name < 'b'\n"
+                    "print u'a\\xeb'.encode('ascii', 'ignore'), len(u'\\xeb'.encode('latin-1'))\n"
+                    "print chr(200).encode('hex'), 'c8'.decode('hex') == chr(200), b'a' == 'a'\n",
+                    "True bb [\"ab\"]", "xc ['aa', 'ab'] True", "a 1", "c8 True True")
+
+    def testOtherProgramsAreTalkedToInText(self):
+        self.prints("import subprocess\n"
+                    "cat = subprocess.Popen(['cat'], stdin=subprocess.PIPE, "
+                    "stdout=subprocess.PIPE)\nprint cat.communicate('hi')[0]\n"
+                    "echo = subprocess.Popen('echo a; echo b', shell=True, "
+                    "stdout=subprocess.PIPE)\n"
+                    "print [line.strip() for line in echo.stdout], echo.wait()\n"
+                    "print subprocess.check_output(['echo', 'a']).strip() == 'a'\n",
+                    "hi", "['a', 'b'] 0", "True")
+
+    def testAnArrayOfBytesIsMadeOfText(self):
+        self.prints("import array\na = bytearray('ab\\xff')\nprint a[0], len(a), isinstance(a, "
+                    "bytearray)\nprint str(bytearray('ab')), array.array('B', 'ab')[1]\n",
+                    "97 3 True", "ab 98")
+
+    def testWhatIsPrintedMayGoElsewhere(self):
+        self.prints("import sys\nclass Tee:\n"
+                    "    def write(self, text): sys.__stdout__.write(text.upper())\n"
+                    "sys.stdout = Tee()\nprint 'a'\n", "A")
+        self.assertNotIn("flush", self.errors)
 
     def testFilesTakeTextAndBytes(self):
         self.prints("f = open('f', 'wb')\nf.write('abc\\xff\\x00')\nf.close()\n"
@@ -81,16 +110,18 @@ class Idioms(Runner):
                     "a.send('hello %d\\n' % 1)\nd = b.recv(100)\n"
                     "print d.strip(), d.split(), d == 'hello 1\\n', 'hello' in d, d[0]\n"
                     "a.sendall(struct.pack('<Hb', 258, -1) + 'end')\nd = b.recv(100)\n"
-                    "print struct.unpack('<Hb', d[:3]), [ord(c) for c in d[:3]], d[3:]\n",
-                    "hello 1 ['hello', '1'] True True h", "(258, -1) [2, 1, 255] end")
+                    "print struct.unpack('<Hb', d[:3]), [ord(c) for c in d[:3]], d[3:]\n"
+                    "a.send(''.join([chr(c) for c in (1, 200)]) + 'x' + chr(233))\n"
+                    "print [ord(c) for c in b.recv(9)]\n",
+                    "hello 1 ['hello', '1'] True True h", "(258, -1) [2, 1, 255] end",
+                    "[1, 200, 120, 233]")
 
     def testLibrariesTakeTextForBytes(self):
-        self.prints("import base64, binascii, hashlib, md5, subprocess\n"
+        self.prints("import base64, binascii, hashlib, md5\n"
                     "h = hashlib.md5('a')\nh.update('b')\nprint h.hexdigest()[:6]\n"
                     "print md5.new('ab').hexdigest()[:6], binascii.hexlify('ab')\n"
-                    "print base64.b64encode('abc'), base64.b64decode('YWJj') + '.'\n"
-                    "print subprocess.check_output(['echo', 'a']).strip() == 'a'\n",
-                    "187ef4", "187ef4 6162", "YWJj abc.", "True")
+                    "print base64.b64encode('abc'), base64.b64decode('YWJj') + '.'\n",
+                    "187ef4", "187ef4 6162", "YWJj abc.")
 
     def testWhatTheProgramDoesWrongIsItsOwnError(self):
         self.run_("class A:\n    def write(self, text): return text + 1\n"

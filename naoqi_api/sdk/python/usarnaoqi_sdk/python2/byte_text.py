@@ -1,12 +1,13 @@
-"""Python 2's str was text and bytes alike. Converted programs get bytes that mix with text, and may
-hand text to who wants bytes."""
+"""Python 2's str was text and bytes alike. Converted programs get text for bytes that are plain
+text, else bytes that mix with text; and they may hand text to who wants bytes."""
 
 import codecs
-from typing import Any
+import struct
+from typing import Any, Iterator
 
 OF_BYTES = frozenset({"hex", "base64", "zlib", "bz2"})  # encodings from bytes to bytes
 RARE = frozenset("\xfe\xff")  # letters that are more often bytes
-UTF_8 = frozenset({"utf8", "utf_8", "utf-8"})
+TEXTS = frozenset({"", "ascii", "us-ascii", "utf8", "utf_8", "utf-8"})
 
 
 def toBytes(text: str) -> bytes:
@@ -38,9 +39,10 @@ def _asBytes(value: Any) -> Any:
 
 
 def wrapped(value: Any) -> Any:
-    """Bytes that mix with text in place of plain ones, in lists and tuples, too."""
+    """Text or bytes that mix with it in place of plain bytes, in lists and tuples, too."""
     if type(value) is bytes:
-        return Bytes(value)
+        is_text = value.isascii() and b"".join(value.split()).decode().isprintable()
+        return value.decode() if is_text else Bytes(value)
     if type(value) in (list, tuple) and any(type(part) is bytes for part in value):
         return type(value)(wrapped(part) for part in value)
     return value
@@ -59,7 +61,8 @@ class Bytes(bytes):
         return format(toText(self), how)
 
     def __eq__(self, other):
-        return bytes.__eq__(self, _asBytes(other))
+        same = bytes.__eq__(self, _asBytes(other))
+        return same if same is True else bytes.__eq__(self, _ownBytes(other))
 
     def __ne__(self, other):
         return not self == other
@@ -119,26 +122,61 @@ for _name in ("capitalize", "center", "count", "endswith", "expandtabs", "find",
     setattr(Bytes, _name, _mixing(_name))
 
 
+def py2_bytes(data: bytes) -> Bytes:
+    """b"..." """
+    return Bytes(data)
+
+
+def py2_chr(number: int) -> Any:
+    """chr(): a byte, a letter if it is ASCII."""
+    return chr(number) if 0 <= number < 128 else Bytes(bytes([number]))
+
+
+class py2_bytearray(bytearray):  # pylint: disable=invalid-name
+    """Made of text, too, and written as one."""
+
+    def __init__(self, value: Any = b"", *rest: Any):
+        bytearray.__init__(self, _asBytes(value) if not rest else value, *rest)
+
+    def __str__(self):
+        return toText(bytes(self))
+
+
 def py2_decode(value: Any, *arguments: Any, **named: Any) -> Any:
     """value.decode(): a text may be its own bytes, of "hex" and the like, or is text already."""
-    encoding = str(arguments[0]).lower().replace("_codec", "") if arguments else ""
+    encoding = _encoding(arguments)
     if encoding in OF_BYTES and isinstance(value, (str, bytes)):
-        return Bytes(codecs.decode(_asBytes(value), encoding))
+        return wrapped(codecs.decode(_asBytes(value), encoding))
     if not isinstance(value, str):
         return value.decode(*arguments, **named)
-    if encoding in UTF_8 and not value.isascii():
+    if encoding in TEXTS and not value.isascii():
         return toText(toBytes(value))
     return value
 
 
 def py2_encode(value: Any, *arguments: Any, **named: Any) -> Any:
-    """value.encode(): "hex" and the like make text; bytes are what they are."""
-    encoding = str(arguments[0]).lower().replace("_codec", "") if arguments else ""
+    """value.encode(): what is UTF-8 or ASCII stays text; "hex" and the like make text."""
+    encoding = _encoding(arguments)
     if encoding in OF_BYTES and isinstance(value, (str, bytes)):
-        return toText(codecs.encode(_asBytes(value), encoding))
+        return toText(codecs.encode(_ownBytes(value), encoding))
     if isinstance(value, bytes):
         return wrapped(value)
-    return wrapped(value.encode(*arguments, **named))
+    encoded = value.encode(*arguments, **named)
+    if encoding in TEXTS and isinstance(value, str):
+        return encoded.decode("utf-8", "surrogateescape")
+    return wrapped(encoded)
+
+
+def _encoding(arguments: tuple) -> str:
+    return str(arguments[0]).lower().replace("_codec", "") if arguments else ""
+
+
+def _ownBytes(value: Any) -> bytes:
+    """Those that its characters are."""
+    try:
+        return value.encode("latin-1") if isinstance(value, str) else value
+    except UnicodeEncodeError:
+        return toBytes(value)
 
 
 def py2_join(value: Any, *arguments: Any, **named: Any) -> Any:
@@ -159,11 +197,30 @@ def py2_call(value: Any, name: str, *arguments: Any, **named: Any) -> Any:
     method = getattr(value, name)
     try:
         return wrapped(method(*arguments, **named))
-    except TypeError as error:
-        other = [_swapped(one) for one in arguments]
-        if all(a is b for a, b in zip(arguments, other)) or _isOfTheProgram(error):
+    except (TypeError, struct.error) as error:
+        if _isOfTheProgram(error):
             raise
-    return wrapped(method(*other, **named))
+        first = error
+    for other in _alternatives(arguments):
+        try:
+            return wrapped(method(*other, **named))
+        except (TypeError, struct.error):
+            continue
+    raise first
+
+
+def _alternatives(arguments: tuple) -> Iterator[list]:
+    """With the last text or bytes exchanged, then with all."""
+    texts = [at for at, one in enumerate(arguments) if isinstance(one, (str, bytes))]
+    for chosen in (texts[-1:], texts) if len(texts) > 1 else (texts,) if texts else ():
+        yield [_swapped(one) if at in chosen else one for at, one in enumerate(arguments)]
+
+
+def py2_process(value: Any, name: str, *arguments: Any, **named: Any) -> Any:
+    """subprocess.Popen() and its like: what programs tell and are told is text."""
+    if getattr(value, "__name__", "") == "subprocess":
+        named = {"universal_newlines": True, "errors": "surrogateescape", **named}
+    return getattr(value, name)(*arguments, **named)
 
 
 def py2_pickle(value: Any, name: str, *arguments: Any, **named: Any) -> Any:
@@ -175,12 +232,10 @@ def py2_pickle(value: Any, name: str, *arguments: Any, **named: Any) -> Any:
 
 
 def _swapped(value: Any) -> Any:
-    if isinstance(value, str):
-        return toBytes(value)
-    return toText(value) if isinstance(value, bytes) else value
+    return toBytes(value) if isinstance(value, str) else toText(value)
 
 
-def _isOfTheProgram(error: TypeError) -> bool:
+def _isOfTheProgram(error: Exception) -> bool:
     """Whether converted code was under way: it has this module's names."""
     place = error.__traceback__.tb_next if error.__traceback__ else None
     while place:

@@ -22,6 +22,8 @@ def _completed(body: Any, *arguments: Any, **named: Any) -> Any:
     if isinstance(made, type) and MARK in body.__globals__:
         _rename(made)
         _compare(made)
+        if "write" in vars(made) and not hasattr(made, "flush"):
+            made.flush = lambda self: None  # type: ignore[attr-defined]  # sys.stdout needs one
     return made
 
 

@@ -13,13 +13,14 @@ from functools import cmp_to_key
 from typing import Any, Callable, List, Optional, Tuple
 
 from . import loader
-from .byte_text import py2_call, py2_decode, py2_encode, py2_join, py2_pickle
+from .byte_text import (py2_bytearray, py2_bytes, py2_call, py2_chr, py2_decode, py2_encode,
+                        py2_join, py2_pickle, py2_process)
 
-__all__ = ["cmp", "exec", "execfile", "file", "filter", "map", "open", "ord", "py2_call", "py2_decode",
-           "py2_divide", "py2_encode", "py2_greater", "py2_greater_equal", "py2_items", "py2_join",
-           "py2_less", "py2_less_equal", "py2_message", "py2_next", "py2_pickle", "py2_sort",
-           "py2_translate", "py2_version_info", "raw_input", "reload", "round", "sorted", "unichr",
-           "zip"]
+__all__ = ["bytearray", "chr", "cmp", "exec", "execfile", "file", "filter", "map", "open",
+           "ord", "py2_bytes", "py2_call", "py2_decode", "py2_divide", "py2_encode", "py2_greater",
+           "py2_greater_equal", "py2_items", "py2_join", "py2_less", "py2_less_equal",
+           "py2_message", "py2_next", "py2_pickle", "py2_process", "py2_sort", "py2_translate",
+           "py2_version_info", "raw_input", "reload", "round", "sorted", "unichr", "zip"]
 
 VersionInfo = namedtuple("VersionInfo", "major minor micro releaselevel serial")
 py2_version_info = VersionInfo(2, 7, 18, "final", 0)  # the last one
@@ -188,4 +189,5 @@ def reload(module: Any) -> Any:
     return module
 
 
-unichr, raw_input = chr, input
+unichr, chr = builtins.chr, py2_chr  # pylint: disable=redefined-builtin
+raw_input, bytearray = input, py2_bytearray  # pylint: disable=redefined-builtin

@@ -5,19 +5,20 @@ keywords now get another one."""
 import ast
 from typing import Any
 
-NAME = 1  # lib2to3's number of a token
+NAME, STRING = 1, 3  # lib2to3's numbers of tokens
 DIVIDE = "py2_divide"
 METHODS = {"." + name: "py2_" + name for name in (
     "decode", "encode", "join", "next", "sort", "translate")}
 # Of files, sockets and libraries: text and bytes were one.
 METHODS.update({"." + name: "py2_call" for name in (
-    "adler32", "b64decode", "b64encode", "check_output", "communicate", "compress", "crc32",
+    "adler32", "array", "b64decode", "b64encode", "communicate", "compress", "crc32",
     "decodestring", "decompress", "encodestring", "frombuffer", "frombytes", "fromstring",
     "hexlify", "loads", "md5", "new", "pack", "read", "readline", "readlines", "recv", "recvfrom",
     "send", "sendall", "sendto", "sha1", "sha256", "sha512", "tobytes", "tostring", "unhexlify",
     "unpack", "unpack_from", "update", "urlsafe_b64decode", "urlsafe_b64encode", "write")})
-METHODS.update({".dump": "py2_pickle", ".load": "py2_pickle"})
-NAMED = {"py2_call", "py2_pickle"}  # are told which method is meant
+METHODS.update({".dump": "py2_pickle", ".load": "py2_pickle", ".Popen": "py2_process",
+                ".check_output": "py2_process"})
+NAMED = {"py2_call", "py2_pickle", "py2_process"}  # are told which method is meant
 NEW_KEYWORDS = {"async", "await"}
 COMPARE = {"<": "py2_less", ">": "py2_greater", "<=": "py2_less_equal", ">=": "py2_greater_equal"}
 
@@ -25,10 +26,18 @@ COMPARE = {"<": "py2_less", ">": "py2_greater", "<=": "py2_less_equal", ">=": "p
 def translated(tree: Any, text: str) -> str:
     """The text of a tree of lib2to3's, its operators replaced."""
     for leaf in tree.leaves():
-        if str(leaf).strip() in NEW_KEYWORDS and leaf.type == NAME:
+        if leaf.type == NAME and leaf.value in NEW_KEYWORDS:
             leaf.value += "_"
+        elif leaf.type == STRING and leaf.value[0] in "bB" and _isAlone(leaf):
+            leaf.value = "py2_bytes(%s)" % leaf.value
     _visit(tree, "import division" not in text)
     return str(tree)
+
+
+def _isAlone(leaf: Any) -> bool:
+    """Of strings side by side none is called."""
+    return not any(other and other.type == STRING
+                   for other in (leaf.prev_sibling, leaf.next_sibling))
 
 
 def _visit(node: Any, divides: bool) -> None:
