@@ -33,6 +33,12 @@ class Idioms(Runner):
                     "print sorted([-3, 1], key=abs), sorted([1, 2], lambda a, b: b - a)\n",
                     "[3, 2, 1]", "[3, 2, 1]", "[None, 1, 'a']", "[1, -3] [2, 1]")
 
+    def testChainsOfComparisons(self):
+        self.prints("x = None\nprint 0 <= x < 5, -1 < 0 <= 3 < 4, x < 1 < 2, 1 == 1 < 'a' != 3\n"
+                    "print 1 < 0 < missing, [i for i in range(5) if 1 < i <= 3]\n"
+                    "n = 0\nwhile -1 < n < 2: n += 1\nprint n\n",
+                    "False True True True", "False [2, 3]", "2")
+
     def testErrorsAreTextsAndLists(self):
         self.prints("try:\n    raise ValueError('no', 2)\n"
                     "except ValueError, e:\n    print e[0], e[1], repr(e.message)\n"

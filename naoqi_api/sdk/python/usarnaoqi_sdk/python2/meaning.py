@@ -17,8 +17,8 @@ from .byte_text import (py2_bytearray, py2_bytes, py2_call, py2_chr, py2_decode,
                         py2_join, py2_pickle, py2_process)
 
 __all__ = ["bytearray", "chr", "cmp", "exec", "execfile", "file", "filter", "map", "open",
-           "ord", "py2_bytes", "py2_call", "py2_decode", "py2_divide", "py2_encode", "py2_greater",
-           "py2_greater_equal", "py2_items", "py2_join", "py2_less", "py2_less_equal",
+           "ord", "py2_bytes", "py2_call", "py2_chain", "py2_decode", "py2_divide", "py2_encode",
+           "py2_greater", "py2_greater_equal", "py2_items", "py2_join", "py2_less", "py2_less_equal",
            "py2_message", "py2_next", "py2_pickle", "py2_process", "py2_sort", "py2_translate",
            "py2_version_info", "raw_input", "reload", "round", "sorted", "unichr", "zip"]
 
@@ -60,6 +60,20 @@ def cmp(a: Any, b: Any) -> int:
 
 
 _compare = cmp
+COMPARISONS = {"<": py2_less, ">": py2_greater, "<=": py2_less_equal, ">=": py2_greater_equal,
+               "==": operator.eq, "!=": operator.ne}
+
+
+def py2_chain(left: Any, *rest: Any) -> Any:
+    """left < a() < b(): signs and functions in turn."""
+    result = True
+    for sign, right in builtins.zip(rest[::2], rest[1::2]):
+        value = right()
+        result = COMPARISONS[sign](left, value)
+        if not result:
+            break
+        left = value
+    return result
 
 
 def ord(character: Any) -> int:  # pylint: disable=redefined-builtin

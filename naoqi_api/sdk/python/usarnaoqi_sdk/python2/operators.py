@@ -21,6 +21,7 @@ METHODS.update({".dump": "py2_pickle", ".load": "py2_pickle", ".Popen": "py2_pro
 NAMED = {"py2_call", "py2_pickle", "py2_process"}  # are told which method is meant
 NEW_KEYWORDS = {"async", "await"}
 COMPARE = {"<": "py2_less", ">": "py2_greater", "<=": "py2_less_equal", ">=": "py2_greater_equal"}
+CHAINED = frozenset(COMPARE) | {"==", "!="}
 
 
 def translated(tree: Any, text: str) -> str:
@@ -50,6 +51,8 @@ def _visit(node: Any, divides: bool) -> None:
     operators = [str(child).strip() for child in node.children[1::2]]
     if len(node.children) == 3 and operators[0] in COMPARE:
         _replaceComparison(node, COMPARE[operators[0]])
+    elif set(operators) & set(COMPARE) and set(operators) <= CHAINED:
+        _replaceChain(node)
     elif divides and "/" in operators and _isTerm(node):
         _replace(node)
     elif divides and len(node.children) == 3 and operators[0] == "/=":
@@ -98,10 +101,19 @@ def _isGenerator(arguments: str) -> bool:
 
 
 def _replaceComparison(node: Any, name: str) -> None:
-    """Of two; a chain of more stays as it is."""
+    """Of two."""
     first, _, second = node.children
     prefix = first.prefix
     _become(node, prefix, "%s(%s,%s)" % (name, str(first)[len(prefix):], second))
+
+
+def _replaceChain(node: Any) -> None:
+    """Of more; each but the first is only looked at if those before it hold."""
+    first = node.children[0]
+    prefix = first.prefix
+    rest = "".join(', "%s", lambda: %s' % (str(operator).strip(), operand)
+                   for operator, operand in zip(node.children[1::2], node.children[2::2]))
+    _become(node, prefix, "py2_chain(%s%s)" % (str(first)[len(prefix):], rest))
 
 
 def _isTerm(node: Any) -> bool:
