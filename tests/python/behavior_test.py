@@ -91,6 +91,22 @@ class BehaviorTest(unittest.TestCase):
                                         "    ALMotion.wakeUp()\n") + link("0", "2", "1", "2")))
         self.assertEqual(behavior.lines, [("wakeUp",)])
 
+    def test_translated_words_mean_what_they_did(self):
+        try:
+            import lib2to3  # noqa: F401
+        except ImportError:
+            self.skipTest("this Python has no lib2to3")
+        behavior = run(project(box("1", "class MyClass(GeneratedClass):\n"
+                                        "  def onInput_onStart(self):\n"
+                                        "    print 'hello',\n"
+                                        "    exec 'half = 7 / 2'\n"
+                                        "    l = map(abs, [1, -2])\n"
+                                        "    l.sort(lambda a, b: b - a)\n"
+                                        "    ALMotion.told(7 / 2, l, 0 <= None)\n") +
+                               link("0", "2", "1", "2")))
+        self.assertEqual(behavior.errors, [])
+        self.assertEqual(behavior.lines, [("told", 3, [2, 1], False)])
+
     def test_parameters_have_their_types_and_may_be_those_of_the_box_around(self):
         own = "<Parameter name='n' content_type='1' value='3' inherits_from_parent='0' id='9'/>"
         code = SAY % ("self.getParameter('n') + 1", "None")

@@ -2,11 +2,13 @@
 
 import logging
 import re
-import sys
 from typing import Any, Callable, Dict, Optional, Type
 
 from usarnaoqi_sdk.al import ALProxy
 from usarnaoqi_sdk import Session
+from usarnaoqi_sdk.python2 import aliases, meaning
+from usarnaoqi_sdk.python2.loader import current
+from usarnaoqi_sdk.python2.translate import NoTranslator
 
 
 class GeneratedClass:
@@ -74,33 +76,30 @@ def makeClass(code: str, place: str, outputs: Dict[str, str],
     names: Dict[str, Any] = {"__name__": "box", "GeneratedClass": base, "ALProxy": makeProxy}
     for name in set(re.findall(r"\bAL[A-Z]\w+", code)) - {"ALProxy"}:
         names[name] = _LazyProxy(name, makeProxy)
-    exec(_compile(code + "\n", place), names)  # pylint: disable=exec-used
+    exec(_compile(code + "\n", place, names), names)  # pylint: disable=exec-used
     found = names.get("MyClass")
     if not isinstance(found, type) or not issubclass(found, GeneratedClass):
         raise SyntaxError("%s: expected a class MyClass(GeneratedClass)" % place)
     return found
 
 
-def _compile(code: str, place: str) -> Any:
+def _compile(code: str, place: str, names: Dict[str, Any]) -> Any:
     try:
         return compile(code, place, "exec")
     except SyntaxError:
-        translated = _fromPython2(code)
+        translated = _fromPython2(code, names)
         if translated is None:
             raise
         return compile(translated, place, "exec")
 
 
-def _fromPython2(code: str) -> Optional[str]:
-    """As Python 3, by Python's own translator; None where there is none any more."""
-    if sys.version_info >= (3, 13):
-        return None
+def _fromPython2(code: str, names: Dict[str, Any]) -> Optional[str]:
+    """As Python 3, and what its words meant among `names`; None for what is no Python 2 either, and
+    where nothing translates."""
     try:
-        import warnings
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            from lib2to3.refactor import RefactoringTool, get_fixers_from_package
-        tool = RefactoringTool(get_fixers_from_package("lib2to3.fixes"))
-        return str(tool.refactor_string(code, "box"))
-    except Exception:  # pylint: disable=broad-except  # the first SyntaxError says it better
+        translated = current().translator.toPart(code, "box")
+    except (NoTranslator, SyntaxError):  # the first SyntaxError says it better
         return None
+    aliases.install()
+    names.update({name: getattr(meaning, name) for name in meaning.__all__})
+    return translated

@@ -76,6 +76,9 @@ def _isThere(name: str) -> bool:
 
 
 def install() -> None:
+    """Once."""
+    if any(isinstance(finder, Finder) for finder in sys.meta_path):
+        return
     old_library.install()
     classes.install()
     sys.meta_path.insert(0, Finder())

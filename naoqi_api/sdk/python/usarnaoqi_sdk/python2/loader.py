@@ -6,6 +6,7 @@ import importlib.util
 import os
 import sys
 import sysconfig
+import tempfile
 import tokenize
 from importlib.abc import MetaPathFinder
 from typing import Any, Dict, Iterator, List, Optional, Tuple
@@ -141,10 +142,14 @@ def importedBy(code: Any) -> Iterator[str]:
 
 
 _current: List[Copies] = []
+_folders: List[tempfile.TemporaryDirectory] = []
 
 
 def current() -> Copies:
-    """Those of the program that runs."""
+    """Those of the program that runs; its own ones for code that is none."""
+    if not _current:
+        _folders.append(tempfile.TemporaryDirectory(prefix="usarnaoqi-py2-"))
+        _current.append(Copies(_folders[-1].name))
     return _current[-1]
 
 

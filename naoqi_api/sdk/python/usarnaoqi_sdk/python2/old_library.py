@@ -21,7 +21,7 @@ ITERTOOLS = {"imap": builtins.map, "ifilter": builtins.filter, "izip": builtins.
 def _add(module: Any, **values: Any) -> None:
     """Unless it is still there."""
     for name, value in values.items():
-        if not hasattr(module, name):
+        if name not in dir(module):
             setattr(module, name, value)
 
 

@@ -33,14 +33,21 @@ class Translator:
         return self._name
 
     def toPython3(self, text: str, place: str) -> str:
-        """Raises SyntaxError, with the line, for what is no Python 2 either."""
+        """A module. Raises SyntaxError, with the line, for what is no Python 2 either."""
+        return global_names.moved(_withPrelude(self._translated(text, place)))
+
+    def toPart(self, text: str, place: str) -> str:
+        """The same, for who gives it the names of meaning.py."""
+        return global_names.moved(self._translated(text, place))
+
+    def _translated(self, text: str, place: str) -> str:
         text = text if text.endswith("\n") else text + "\n"
         try:
             tree = self._refactorIndented(text, place)
         except Exception as error:  # pylint: disable=broad-except  # of two libraries' own kinds
             line = getattr(error, "context", ("", (1, 0)))[1][0]
             raise SyntaxError("%s:%d: neither Python 3 nor Python 2" % (place, line)) from None
-        return global_names.moved(_withPrelude(_asPython2(operators.translated(tree, text))))
+        return _asPython2(operators.translated(tree, text))
 
     def _refactorIndented(self, text: str, place: str) -> Any:
         """Python 2 took a tab for 8 columns; where that makes no sense, an editor's 4 are meant."""
