@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "core/config.h"
+#include "tests/support/models.h"
 #include "tests/validation/diagnosis/toy_joint.h"
 #include "validation/diagnosis/cause_list.h"
 
@@ -30,7 +32,7 @@ TEST(JointCauses, HaveNamesOfTheirOwnAndParametersOfTheirEffect) {
           << one.id << " " << number.parameter;
       EXPECT_FALSE(number.starts.empty()) << one.id;
     }
-    EXPECT_FALSE(showCause(one.id).empty());
+    EXPECT_FALSE(showCause(one.id, *nao::test::robot("nao_h21_v33")).empty());
   }
 }
 
@@ -47,7 +49,37 @@ TEST(JointCauses, BecomeSettingsThatDoNothingElse) {
   EXPECT_DOUBLE_EQ(low.parameters.at("slope"), 0);
 }
 
-TEST(CauseList, SaysWhatItDoesNotKnow) { EXPECT_THROW(showCause("gremlins"), InputError); }
+TEST(CauseList, HasTheCausesOfEveryLevel) {
+  const auto nao = nao::test::robot("nao_h21_v33");
+  const auto idsOf = [&](const std::string& level) {
+    std::set<std::string> ids;
+    for (const ListedCause& one : listCauses(level, *nao)) {
+      EXPECT_FALSE(one.places.empty()) << one.cause.id;
+      EXPECT_TRUE(ids.insert(one.cause.id).second) << one.cause.id;
+    }
+    return ids;
+  };
+  EXPECT_EQ(idsOf("joint").size(), jointCauses().size());
+  EXPECT_TRUE(idsOf("robot").count("ground_friction"));
+  EXPECT_FALSE(idsOf("joint").count("ground_friction"));
+  EXPECT_TRUE(idsOf("limb").count("coupled_stop.upper"));
+  EXPECT_NE(showCause("ground_friction", *nao).find("tried on: robot"), std::string::npos);
+}
+
+TEST(CauseList, IsJsonToo) {
+  const auto list = nlohmann::json::parse(toJson(listCauses("joint", *nao::test::robot("arm"))));
+  ASSERT_EQ(list.size(), jointCauses().size());
+  for (const auto& one : list) {
+    EXPECT_FALSE(one.at("numbers").empty()) << one.at("id");
+    EXPECT_LT(one.at("numbers")[0].at("min"), one.at("numbers")[0].at("max"));
+  }
+}
+
+TEST(CauseList, SaysWhatItDoesNotKnow) {
+  const auto nao = nao::test::robot("nao_h21_v33");
+  EXPECT_THROW(showCause("gremlins", *nao), InputError);
+  EXPECT_THROW(listCauses("toe", *nao), InputError);
+}
 
 }  // namespace
 }  // namespace nao::validation
