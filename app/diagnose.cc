@@ -245,6 +245,7 @@ validation::FoldedSet diagnoseTasks(const std::vector<validation::JointTask>& ta
   }
   validation::FoldSearchOptions by_folds;
   by_folds.jobs = options.jobs;
+  by_folds.granted = options.runs_per_joint;
   for (const auto& motion : set.set->motions()) by_folds.gains.push_back(motion.kp_scale);
   if (options.team->rank() == 0) {
     by_folds.progress = [](const std::string& what) { std::fprintf(stderr, "%s\n", what.c_str()); };

@@ -43,6 +43,12 @@ class FoldSearch {
   }
 
  private:
+  // Asked between searches alone, where the count is the same for any number of threads.
+  bool isCutOff() {
+    cut_off_ = fits_.fit().used() >= options_.granted;
+    return cut_off_;
+  }
+
   bool helps(const FoldErrors& before, const FoldErrors& after) const {
     std::size_t better = 0;
     for (std::size_t f = 0; f < folds_.size(); ++f) {
@@ -52,6 +58,7 @@ class FoldSearch {
   }
 
   bool grow() {
+    if (isCutOff()) return false;
     const std::vector<FoldTried> tried =
         fits_.tryAll(model_, fits_.screened(model_, options_.tried));
     const FoldErrors before = model_.errors;
@@ -94,7 +101,7 @@ class FoldSearch {
   // Takes out the cause without which the folds are predicted best, unless that is worse; else
   // every cause competes once more with others for its place. True if the model changed.
   bool review() {
-    if (model_.of_all.size() < 2) return false;
+    if (model_.of_all.size() < 2 || isCutOff()) return false;
     const std::vector<FoldModel> without = fits_.withoutEach(model_);
     for (std::size_t i = 0; i < without.size(); ++i) {
       lost_[accepted_[i]] = {without[i].errors, model_.errors};
@@ -194,7 +201,12 @@ class FoldSearch {
     for (std::size_t c = 0; c < causes_.size(); ++c) {
       const bool told = has(c) || held_back_.count(c) > 0 ||
                         std::find(dropped_.begin(), dropped_.end(), c) != dropped_.end();
-      if (!told) verdict.rejected.push_back({causes_[c].id, 0, "promises less than those tried"});
+      if (told) continue;
+      if (cut_off_) {
+        verdict.not_tried.push_back(causes_[c].id);
+      } else {
+        verdict.rejected.push_back({causes_[c].id, 0, "promises less than those tried"});
+      }
     }
   }
 
@@ -212,6 +224,10 @@ class FoldSearch {
     verdict.remainder_score = verdict.misfit_after;
     verdict.remainder_critical = kRounding;
     const bool remains = verdict.misfit_after > kRounding;
+    if (remains && cut_off_) {
+      verdict.verdict = Verdict::Unfinished;
+      return;
+    }
     const auto named = verdict.named();
     const bool ambiguous = std::any_of(named.begin(), named.end(),
                                        [](const Finding* one) { return !one->rivals.empty(); });
@@ -238,6 +254,7 @@ class FoldSearch {
   std::map<std::size_t, std::vector<Rival>> rivals_;
   std::map<std::size_t, std::pair<FoldErrors, FoldErrors>> lost_;  // without, with
   std::map<std::size_t, double> held_back_;
+  bool cut_off_ = false;  // by the budget
 };
 
 }  // namespace

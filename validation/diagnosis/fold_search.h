@@ -14,6 +14,7 @@ struct FoldSearchOptions {
   int tried = 6;  // causes of each round that are fitted, by what one look at them promises
   /// A cause must lower the mean held-out error by this part, and in more than half of the folds.
   double least_gain = 0.02;
+  long granted = 1000000000;  // runs; none is begun that searches further when they are used up
   int sets = 400;             // drawn for the intervals
   std::vector<double> gains;  // of the servo by motion, relative to the model's; empty: all alike
   int jobs = 1;               // threads; the result is the same

@@ -151,8 +151,8 @@ std::vector<Adjustment> JointSearch::adjustments() const {
 
 void JointSearch::judge(JointVerdict& verdict) {
   verdict.rejected = rejected_;
-  const std::set<std::string> not_tried(candidates_.notTried().begin(),
-                                        candidates_.notTried().end());
+  std::set<std::string> not_tried(candidates_.notTried().begin(), candidates_.notTried().end());
+  for (const std::size_t cause : stage_->unseen()) not_tried.insert(causes_[cause].id);
   verdict.not_tried.assign(not_tried.begin(), not_tried.end());
   verdict.critical_gain = critical();
   verdict.misfit_before = misfit_before_;

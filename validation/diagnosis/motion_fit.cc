@@ -52,6 +52,7 @@ Eigen::VectorXd MotionFit::residual(const CauseList& model,
       error -=
           joint_.run(settings, m, streamOf(StreamUse::Mean, m, r), noise).col(0) / options_.runs;
     }
+    used_ += options_.runs;
     size += error.size();
     parts.push_back(std::move(error));
   }

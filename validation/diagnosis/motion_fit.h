@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <vector>
 
 #include <Eigen/Core>
@@ -18,7 +19,7 @@ struct MotionFitOptions {
 };
 
 /// One joint's motions and models of causes that are fitted to some of them, all numbers at once.
-/// For sets of one run per motion, and for numbers that a user wants fitted. Constant.
+/// For sets of one run per motion, and for numbers that a user wants fitted. Any thread may ask.
 class MotionFit {
  public:
   /// All are kept by reference.
@@ -50,6 +51,9 @@ class MotionFit {
   /// The weight of a sample in a fit at this residual.
   Eigen::VectorXd weights(const Eigen::VectorXd& residual) const;
 
+  /// Runs simulated so far.
+  long used() const { return used_; }
+
   const JointSimulator& joint() const { return joint_; }
   const std::vector<Cause>& causes() const { return causes_; }
 
@@ -58,6 +62,7 @@ class MotionFit {
   const JointNoise& noise_;
   const std::vector<Cause>& causes_;
   MotionFitOptions options_;
+  mutable std::atomic<long> used_{0};
 };
 
 }  // namespace nao::validation

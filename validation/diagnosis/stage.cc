@@ -122,7 +122,12 @@ void Stage::scan(std::size_t cause) {
 void Stage::look(Ensemble& ensemble, const Effort& effort) {
   for (std::size_t c = 0; c < causes_.size(); ++c) {
     if (isTaken(c)) continue;
-    for (const std::vector<double>& x : startsOf(causes_[c])) lookAt(ensemble, c, x, effort);
+    const std::vector<std::vector<double>> starts = startsOf(causes_[c]);
+    if (ensemble.spent() && !starts.empty()) {
+      unseen_.push_back(c);
+      continue;
+    }
+    for (const std::vector<double>& x : starts) lookAt(ensemble, c, x, effort);
   }
 }
 

@@ -61,6 +61,8 @@ class Stage {
   /// Whether the model has the cause, or everything here has.
   bool isTaken(std::size_t cause) const;
   const std::vector<Look>& looks() const { return looks_; }
+  /// Causes that the budget left no runs to look at.
+  const std::vector<std::size_t>& unseen() const { return unseen_; }
   /// Measured minus predicted mean, as measured.
   const Eigen::VectorXd& raw() const { return raw_; }
   /// The prediction of the model by Effort::look_runs runs, to subtract from others of as many.
@@ -112,6 +114,7 @@ class Stage {
   Eigen::VectorXd raw_;
   Halves quick_base_, look_base_;  // by coarse and by rough runs
   std::vector<Look> looks_;
+  std::vector<std::size_t> unseen_;
   // One SD of each difference between equal robots but for the model's own numbers.
   Eigen::MatrixXd undeclared_;
   std::vector<std::size_t> undeclared_causes_;  // of its first columns; the others are beyond

@@ -18,16 +18,21 @@ ToyJoint onceMeasured(const ToyLaws& truth, std::size_t motions = 4) {
   return ToyJoint(truth, 3, test::kToyNoise, 1, motions);
 }
 
-FoldDiagnosis search(const ToyJoint& joint) {
+std::vector<Cause> searchedFor() {
   std::vector<Cause> few;
   for (const Cause& cause : test::toyCauses()) {
     for (const char* id : {"coulomb_friction", "kp_error", "link_mass", "torque_bias"}) {
       if (cause.id == id) few.push_back(cause);
     }
   }
+  return few;
+}
+
+FoldDiagnosis search(const ToyJoint& joint, long granted = 1000000) {
   FoldSearchOptions options;
   options.sets = 100;
-  return searchByFolds(joint, few, options);
+  options.granted = granted;
+  return searchByFolds(joint, searchedFor(), options);
 }
 
 TEST(FoldSearch, NamesWhatPredictsMotionsThatItWasNotFittedTo) {
@@ -46,6 +51,15 @@ TEST(FoldSearch, NamesWhatPredictsMotionsThatItWasNotFittedTo) {
 TEST(FoldSearch, LeavesASoundJointAlone) {
   const FoldDiagnosis found = search(onceMeasured({}));
   for (const Finding& one : found.verdict.findings) EXPECT_TRUE(one.small) << one.cause;
+}
+
+TEST(FoldSearch, SaysUnfinishedOutOfBudgetNeverUnknown) {
+  ToyLaws truth;
+  truth.coulomb += 0.3;
+  const FoldDiagnosis found = search(onceMeasured(truth), 1);
+  EXPECT_EQ(found.verdict.verdict, Verdict::Unfinished);
+  EXPECT_EQ(found.verdict.not_tried.size(), searchedFor().size());
+  EXPECT_TRUE(found.verdict.rejected.empty());
 }
 
 TEST(FoldSearch, NeedsTwoFolds) {

@@ -182,5 +182,12 @@ TEST(JointSearch, SaysUnfinishedOutOfBudgetNeverUnknown) {
   EXPECT_FALSE(verdict.not_tried.empty());
 }
 
+TEST(JointSearch, LooksAtNothingThatTheBudgetDoesNotPayFor) {
+  const JointVerdict verdict = diagnose(deadServo(), test::toyCauses(), quick(), 100);
+  EXPECT_EQ(verdict.verdict, Verdict::Unfinished);
+  EXPECT_EQ(verdict.not_tried.size(), test::toyCauses().size());
+  EXPECT_TRUE(verdict.findings.empty());
+}
+
 }  // namespace
 }  // namespace nao::validation
