@@ -73,7 +73,7 @@ std::vector<validation::JointTask> tasksOf(const validation::PreparedSet& set,
   std::vector<validation::JointTask> tasks;
   for (const validation::PreparedJoint& joint : set.joints) {
     if (!only.empty() && joint.simulator->joint() != only) continue;
-    tasks.push_back({joint.simulator.get(), joint.noise});
+    tasks.push_back({joint.simulator.get(), joint.noise, joint.nominal});
   }
   if (tasks.empty()) throw InputError("--joint " + only + ": it was not measured in all runs");
   return tasks;

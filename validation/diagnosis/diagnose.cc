@@ -42,7 +42,10 @@ SetDiagnosis diagnoseJoints(const std::vector<JointTask>& tasks, const std::vect
     joints.give(shared->cause, shared->x);
   }
   result.joints = joints.conclude();
-  for (const JointVerdict& joint : result.joints) result.runs += joint.runs;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    result.joints[i].nominal_noise = tasks[i].nominal.torque_sd;
+    result.runs += result.joints[i].runs;
+  }
   result.verdict = overall(result.joints);
   if (!result.shared.empty() && result.verdict == Verdict::NoDiscrepancy) {
     result.verdict = result.shared[0].finding.rivals.empty() ? Verdict::Named : Verdict::Ambiguous;

@@ -15,6 +15,7 @@ namespace nao::validation {
 struct JointTask {
   const JointSimulator* joint = nullptr;
   JointNoise noise;
+  JointNoise nominal{};  // of the robot's file, to report; may be left out
 };
 
 struct DiagnosisOptions {

@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "validation/report.h"
+
 namespace nao::validation {
 namespace {
 
@@ -86,6 +88,8 @@ Json toJson(const JointVerdict& joint) {
           {"repeat_split_ratio", joint.split_ratio},
           {"with_repeats", joint.with_repeats},
           {"repeats", joint.repeats},
+          {"torque_noise_nm", joint.noise},
+          {"nominal_torque_noise_nm", joint.nominal_noise},
           {"record", toJson(joint.kind, joint.record)},
           {"runs", joint.runs}};
 }
@@ -144,6 +148,11 @@ std::string toText(const SetDiagnosis& diagnosis) {
       if (!joint.signature.empty()) out << "; it goes with " << joint.signature;
       out << "\n";
       if (!joint.record.empty()) out << "  such statements before: " << joint.record << "\n";
+    }
+    if (joint.scattersOtherwise()) {
+      out << joint.joint << ": process_noise: its repeats scatter as under random torques of "
+          << fixed(joint.noise, 3) << " N m, " << fixed(joint.noise / joint.nominal_noise, 1)
+          << " times those of the robot's file\n";
     }
     if (!joint.not_tried.empty()) {
       out << joint.joint << ": unfinished, not tried:";

@@ -163,6 +163,7 @@ void JointSearch::judge(JointVerdict& verdict) {
   for (const MotionSpan& span : data_.spans()) {
     verdict.repeats = std::min(verdict.repeats, span.repeats);
   }
+  if (verdict.with_repeats) verdict.noise = ensemble_.noise().torque_sd;
   verdict.runs = ensemble_.used();
   judgeRemainder(verdict);
   const bool remains = verdict.remainder_score > verdict.remainder_critical;

@@ -42,7 +42,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Rejected, cause, gain, reason)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(JointVerdict, joint, verdict, findings, adjustments, rejected,
                                    not_tried, critical_gain, misfit_before, misfit_after,
                                    remainder_score, remainder_critical, split_ratio, with_repeats,
-                                   repeats, runs, signature, kind, record)
+                                   repeats, noise, nominal_noise, runs, signature, kind, record)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Fold, name, motions)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FoldErrors, held_out)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FoldDiagnosis, verdict, folds, before, after, fitted)
@@ -57,8 +57,8 @@ namespace {
 // A member that is missing above is a value that is lost: who adds one is stopped here.
 [[maybe_unused]] void countMembers(const Finding& finding, const JointVerdict& verdict) {
   [[maybe_unused]] const auto& [c, e, n, g, s, f, b, h, o, m, r, t, x, p, co, k, re] = finding;
-  [[maybe_unused]] const auto& [jo, ve, fi, ad, rj, nt, cg, mb, ma, rs, rc, sr, wr, rp, ru, si, ki,
-                                rd] = verdict;
+  [[maybe_unused]] const auto& [jo, ve, fi, ad, rj, nt, cg, mb, ma, rs, rc, sr, wr, rp, no, nn, ru,
+                                si, ki, rd] = verdict;
 }
 
 }  // namespace

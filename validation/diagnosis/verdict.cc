@@ -55,6 +55,12 @@ std::string valueText(const FoundNumber& number) {
   return text;
 }
 
+bool JointVerdict::scattersOtherwise() const {
+  constexpr double kHalf = 1.5;  // fits to six repeats differ by less
+  if (noise <= 0 || nominal_noise <= 0) return false;
+  return noise > kHalf * nominal_noise || noise < nominal_noise / kHalf;
+}
+
 std::vector<const Finding*> JointVerdict::named() const {
   std::vector<const Finding*> found;
   for (const Finding& one : findings) {

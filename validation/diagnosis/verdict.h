@@ -110,7 +110,10 @@ struct JointVerdict {
   double split_ratio =
       0;  // gains of repeat splits over gains of null sets: 1 if the noise is right
   bool with_repeats = true;
-  int repeats = 0;        // of the motion with the fewest
+  int repeats = 0;  // of the motion with the fewest
+  /// [N m] SD of the torque noise that makes simulated repeats, with what was found, scatter as the
+  /// measured ones do, and of the robot's file; 0: not known.
+  double noise = 0, nominal_noise = 0;
   long runs = 0;          // simulated
   std::string signature;  // of the remainder; empty: none was sought
   StatementKind kind{};   // likewise, if nothing is named here
@@ -118,6 +121,8 @@ struct JointVerdict {
 
   /// The findings that count: of interest.
   std::vector<const Finding*> named() const;
+  /// Whether repeats scatter more or less than the robot's file says, by half or more.
+  bool scattersOtherwise() const;
 };
 
 /// The word of the report: "named", "partly_explained" ...

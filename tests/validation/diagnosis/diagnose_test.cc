@@ -70,6 +70,20 @@ TEST(Diagnose, SaysTheSameWithAnyNumberOfThreads) {
   EXPECT_EQ(toJson(diagnose({weak, {}}, one), {}), toJson(diagnose({weak, {}}, two), {}));
 }
 
+TEST(Diagnose, TellsThatRepeatsScatterOtherwiseThanTheRobotsFileSays) {
+  const ToyJoint toy({}, 1, test::kToyNoise, 3, 2);
+  DiagnosisOptions options;
+  options.effort = {2, 4, 8, 12, 2, 1, 1};
+  const auto said = [&](double nominal) {
+    JointTask task{&toy, test::kToyNoise, test::kToyNoise};
+    task.nominal.torque_sd *= nominal;
+    return toText(diagnoseJoints({task}, test::toyCauses(), options));
+  };
+  EXPECT_NE(said(0.5).find("process_noise: its repeats scatter"), std::string::npos);
+  EXPECT_NE(said(0.5).find("2.0 times those of the robot's file"), std::string::npos);
+  EXPECT_EQ(said(1).find("process_noise"), std::string::npos);
+}
+
 // A joint that counts what is simulated.
 class CountedJoint final : public JointSimulator {
  public:
