@@ -99,4 +99,26 @@ std::vector<Provisional> provisionalAmong(std::vector<PlacedCause>& causes,
   return found;
 }
 
+std::vector<HandedOnFate> notTriedAmong(const std::vector<HandedOn>& handed_on, bool whole_robot,
+                                        const RobotModel& model,
+                                        const std::vector<Joint>& measured) {
+  std::vector<HandedOnFate> fates;
+  for (const HandedOn& one : handed_on) {
+    const std::vector<Joint> there = jointsAt(one.place, "the report handed on", model);
+    const Cause* cause = ofJoints(one.cause);
+    HandedOnFate fate{one, {}, {}, 0, ""};
+    if (cause == nullptr || cause->free.size() != one.x.size()) {
+      fate.before.deviation = fate.before.value = one.x.front();
+      fate.outcome = "not tried: this program has no such cause";
+    } else {
+      fate.before =
+          foundNumbers(placedCause(*cause, one.place, there, model, measured).cause, one.x).front();
+      if (!contains(measured, there)) fate.outcome = "not tried: not judged at this level";
+      if (!whole_robot && there.empty()) fate.outcome = "not tried: of more than a limb";
+    }
+    if (!fate.outcome.empty()) fates.push_back(std::move(fate));
+  }
+  return fates;
+}
+
 }  // namespace nao::validation

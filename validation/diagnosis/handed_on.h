@@ -45,4 +45,9 @@ struct HandedOnFate {
   std::string outcome;    // for a person
 };
 
+/// Those that no search of a level can try, each with the reason. `whole_robot`: the robot level.
+std::vector<HandedOnFate> notTriedAmong(const std::vector<HandedOn>& handed_on, bool whole_robot,
+                                        const RobotModel& model,
+                                        const std::vector<Joint>& measured);
+
 }  // namespace nao::validation

@@ -42,7 +42,9 @@ class RobotCase {
     tell("comparing the scatter of the repeats");
     spread_ = fitSpread(data, {}, options_.effort.base_runs, options_.jobs);
     into_.spreads.push_back({robot_, spread_, spread_});
-    if (options_.level == Level::Robot) {
+    const bool whole = options_.level == Level::Robot;
+    add(notTriedAmong(options_.handed_on, whole, simulator_.model(), simulator_.judged()));
+    if (whole) {
       search(data, robotCauses(simulator_.model(), simulator_.joints()), "robot", {}, false_alarms);
       listGait();
       return;
@@ -86,12 +88,16 @@ class RobotCase {
     left_noise_ = found.spread.noise;
     if (options_.level == Level::Robot) into_.spreads.back().found = found.spread;
     addVerdict(found, whole);
-    for (HandedOnFate fate : found.handed_on) {
+    add(found.handed_on);
+    addCourse(data, effects, whole);
+    into_.set.runs += data.used();
+  }
+
+  void add(const std::vector<HandedOnFate>& fates) {
+    for (HandedOnFate fate : fates) {
       fate.was.place = prefix_ + fate.was.place;
       into_.handed_on.push_back(std::move(fate));
     }
-    addCourse(data, effects, whole);
-    into_.set.runs += data.used();
   }
 
   // How many runs the time pays for, from what some cost here and now.

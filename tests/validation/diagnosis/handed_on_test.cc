@@ -86,6 +86,22 @@ TEST(HandedOn, StandsAmongTheCausesOfALevelThatDoesNotTryItByItself) {
   EXPECT_EQ(causes.back().joints, std::vector<Joint>{*model->findJoint("LKneePitch")});
 }
 
+TEST(HandedOn, WhatNoSearchCanTryIsTold) {
+  const auto model = test::robot("nao_h21_v33");
+  const std::vector<Joint> measured{*model->findJoint("LKneePitch")};
+  const std::vector<HandedOn> handed_on{{"LKneePitch", "backlash", {0.01}, true},
+                                        {"LHipYawPitch", "backlash", {0.01}, true},
+                                        {"LKneePitch", "gremlins", {0.01}, true},
+                                        {"robot", "command_latency", {0.004}, true}};
+  const auto at_limb = notTriedAmong(handed_on, false, *model, measured);
+  ASSERT_EQ(at_limb.size(), 3u);
+  EXPECT_EQ(at_limb[0].was.place, "LHipYawPitch");
+  EXPECT_EQ(at_limb[0].before.parameter, "width");
+  EXPECT_THAT(at_limb[1].outcome, HasSubstr("no such cause"));
+  EXPECT_THAT(at_limb[2].outcome, HasSubstr("more than a limb"));
+  EXPECT_EQ(notTriedAmong(handed_on, true, *model, measured).size(), 2u);
+}
+
 TEST(ReportFile, NamesItsNominalRobot) {
   const TemporaryFolder folder;
   const std::string file = folder.write("report.json", R"({"model": "nao_h25_v50"})");
