@@ -159,11 +159,13 @@ int main(int argc, char** argv) {
   app.add_option("--robots-dir", arguments.place.robots_dir, "The nominal models.");
   app.add_flag("--keep", arguments.place.keep_sets, "Keep the sets.");
   app.add_flag("--json", arguments.json, "Figures as one JSON object.");
-  CLI11_PARSE(app, argc, argv);
   try {
+    app.parse(argc, argv);
     arguments.counts = countsOf(arguments.preset);
     run(arguments);
     return 0;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
   } catch (const nao::InputError& error) {
     std::fprintf(stderr, "usarnaoqi-bench-diagnosis: %s\n", error.what());
     return 2;

@@ -180,10 +180,12 @@ int main(int argc, char** argv) {
   app.add_option("--robots-dir", arguments.robots_dir, "The nominal models.");
   app.add_option("-o,--out", arguments.folder, "Folder of the set; SET.truth.json is beside it.")
       ->required();
-  CLI11_PARSE(app, argc, argv);
   try {
+    app.parse(argc, argv);
     run(arguments);
     return 0;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
   } catch (const nao::InputError& error) {
     std::fprintf(stderr, "usarnaoqi-hide: %s\n", error.what());
     return 2;
