@@ -1,7 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -13,12 +12,10 @@
 #include "app/stand_by.h"
 #include "core/config.h"
 #include "core/files.h"
-#include "validation/diagnosis/diagnose_folds.h"
 #include "validation/diagnosis/diagnosis_json.h"
 #include "validation/diagnosis/diagnosis_page.h"
 #include "validation/diagnosis/gain.h"
-#include "validation/diagnosis/packed.h"
-#include "validation/diagnosis/prepared_set.h"
+#include "validation/diagnosis/joint_level.h"
 #include "validation/diagnosis/verdict_record.h"
 #include "validation/diagnosis/whole_diagnosis.h"
 #include "validation/log/data_faults.h"
@@ -53,30 +50,6 @@ double secondsOf(const std::string& text) {
   if (end > 0 && number > 0 && unit == "min") return 60 * number;
   if (end > 0 && number > 0 && unit == "h") return 3600 * number;
   throw InputError("--budget " + text + ": expected a time such as 5min, 90s or 1h");
-}
-
-// How many runs each joint may take, from what one costs here and now. Which runs are made depends
-// on this number alone.
-long runsWithin(double seconds, const validation::PreparedSet& set, int jobs) {
-  const auto begin = std::chrono::steady_clock::now();
-  constexpr int kRuns = 20;
-  const validation::PreparedJoint& joint = set.joints.front();
-  for (int i = 0; i < kRuns; ++i) joint.simulator->coarse().run({}, 0, 1u + i, joint.noise);
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-  const double threads = std::min(jobs, static_cast<int>(set.joints.size()));
-  return std::lround(seconds * threads / static_cast<double>(set.joints.size()) /
-                     (taken.count() / kRuns));
-}
-
-std::vector<validation::JointTask> tasksOf(const validation::PreparedSet& set,
-                                           const std::string& only) {
-  std::vector<validation::JointTask> tasks;
-  for (const validation::PreparedJoint& joint : set.joints) {
-    if (!only.empty() && joint.simulator->joint() != only) continue;
-    tasks.push_back({joint.simulator.get(), joint.noise, joint.nominal});
-  }
-  if (tasks.empty()) throw InputError("--joint " + only + ": it was not measured in all runs");
-  return tasks;
 }
 
 std::string partOf(const std::string& file) { return file + ".part"; }
@@ -236,24 +209,6 @@ void runWhole(const Arguments& arguments, const validation::LogSet& set,
   report(arguments, json, toText(found), found.set.verdict);
 }
 
-// Without repeats nothing tells the noise: what is held out must decide.
-validation::FoldedSet diagnoseTasks(const std::vector<validation::JointTask>& tasks,
-                                    const validation::PreparedSet& set,
-                                    const validation::DiagnosisOptions& options) {
-  if (!validation::isWithoutRepeats(*tasks.front().joint)) {
-    return {validation::diagnoseJoints(tasks, validation::jointCauses(), options), ""};
-  }
-  validation::FoldSearchOptions by_folds;
-  by_folds.jobs = options.jobs;
-  by_folds.granted = options.runs_per_joint;
-  for (const auto& motion : set.set->motions()) by_folds.gains.push_back(motion.kp_scale);
-  if (options.team->rank() == 0) {
-    by_folds.progress = [](const std::string& what) { std::fprintf(stderr, "%s\n", what.c_str()); };
-  }
-  return validation::diagnoseByFolds(tasks, validation::benchCauses(), by_folds, *options.team,
-                                     options.kept);
-}
-
 // Joint level: each joint alone.
 void runJoints(const Arguments& arguments, const validation::LogSet& set,
                const std::shared_ptr<const RobotModel>& model, const std::string& name,
@@ -263,30 +218,19 @@ void runJoints(const Arguments& arguments, const validation::LogSet& set,
   }
   const validation::VerdictRecords records = recordsOf(arguments);  // its mistakes cost no search
   const validation::Provenance provenance = provenanceOf(arguments, set, name);
-  validation::DiagnosisOptions options;
+  validation::JointLevelOptions options;
   options.jobs = arguments.jobs;
   options.team = team;
+  options.only = arguments.joint;
+  if (!arguments.budget.empty()) options.seconds = secondsOf(arguments.budget);
+  options.examine = !arguments.out.empty();
   options.kept = takeUp(arguments, provenance, *team, stand_by);
   options.progress = [&](const std::string& what, double part) { stand_by.tell(what, part); };
-  const validation::PreparedSet prepared = validation::prepareSet(set, model, options);
-  if (prepared.joints.empty())
-    throw InputError(arguments.set + ": no joint was measured in all runs");
-  if (!arguments.budget.empty()) {
-    const double seconds = secondsOf(arguments.budget);
-    options.runs_per_joint = validation::unpack<long>(validation::askFirst(*team, "budget", [&] {
-      return options.kept.remember("budget", [&] {
-        return validation::pack(
-            runsWithin(seconds, prepared, arguments.jobs * static_cast<int>(team->size())));
-      });
-    }));
-  }
-  const auto tasks = tasksOf(prepared, arguments.joint);
-  auto [found, notes] = diagnoseTasks(tasks, prepared, options);
-  addRecords(found, records, tasks);
+  const auto [found, notes, examined] =
+      validation::diagnoseJointLevel(set, model, records, options);
   const std::string json = toJson(found, provenance);
-  if (!arguments.out.empty()) {
-    const auto examined = validation::examineJoints(found, tasks, options);
-    if (team->rank() == 0) writeReport(arguments, json, diagnosisPage(found, examined, provenance));
+  if (options.examine && team->rank() == 0) {
+    writeReport(arguments, json, diagnosisPage(found, examined, provenance));
   }
   team->exchange("");  // nobody goes, or throws away what is kept, before the report is written
   options.kept.discard();

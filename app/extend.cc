@@ -9,6 +9,7 @@
 #include "validation/diagnosis/empirical.h"
 #include "validation/diagnosis/merge_effects.h"
 #include "validation/diagnosis/report_file.h"
+#include "validation/log/log_robots.h"
 
 namespace nao::app {
 namespace {
@@ -26,10 +27,11 @@ std::vector<EffectSetting> empiricalEffects(const Options& options, const std::s
                                             const RobotModel& model,
                                             const std::vector<EffectSetting>& causes) {
   if (options.set.empty()) throw InputError("--empirical: expected --set, the diagnosed set");
-  const validation::LogSet set = validation::readLogSet(options.set);
+  const std::string& robot = options.accepted.robot_id;
+  const validation::LogSet set = validation::runsOfOne(validation::readLogSet(options.set), robot);
   auto extended = std::make_shared<RobotModel>(model);
   extended->effects = validation::mergedEffects(model, causes, sim::standardEffects());
-  const auto unknowns = validation::unknownJoints(report);
+  const auto unknowns = validation::unknownJoints(report, robot);
   const validation::PreparedSet prepared =
       validation::prepareSet(set, std::move(extended), options.jobs);
   std::vector<EffectSetting> found;
@@ -66,7 +68,8 @@ void run(const Options& options) {
   }
   const std::size_t accepted = causes.size();
   if (!options.causes_only) {
-    for (EffectSetting& one : validation::reportedAdjustments(report, *model)) {
+    for (EffectSetting& one :
+         validation::reportedAdjustments(report, options.accepted.robot_id, *model)) {
       causes.push_back(std::move(one));
     }
   }

@@ -1,5 +1,7 @@
 #include "validation/diagnosis/diagnose.h"
 
+#include <algorithm>
+
 #include "validation/diagnosis/joint_crowd.h"
 #include "validation/diagnosis/shared_cause.h"
 
@@ -28,6 +30,14 @@ SharedFinding describe(const SharedCause& shared, const std::vector<Cause>& caus
 
 }  // namespace
 
+Verdict overall(const SetDiagnosis& diagnosis) {
+  const Verdict joints = overall(diagnosis.joints);
+  if (joints != Verdict::NoDiscrepancy || diagnosis.shared.empty()) return joints;
+  const auto rivals = [](const SharedFinding& one) { return !one.finding.rivals.empty(); };
+  const bool any = std::any_of(diagnosis.shared.begin(), diagnosis.shared.end(), rivals);
+  return any ? Verdict::Ambiguous : Verdict::Named;
+}
+
 SetDiagnosis diagnoseJoints(const std::vector<JointTask>& tasks, const std::vector<Cause>& causes,
                             const DiagnosisOptions& options) {
   SetDiagnosis result;
@@ -35,7 +45,7 @@ SetDiagnosis diagnoseJoints(const std::vector<JointTask>& tasks, const std::vect
   if (tasks.empty()) return result;
   JointCrowd joints(tasks, causes, options);
   joints.begin();
-  result.critical_gain = quantile(joints.largestNulls().gains, 0.99);
+  result.critical_gain = quantile(joints.largestNulls().gains, 1 - options.effort.false_alarms);
   const auto shared = findShared(joints, result.critical_gain);
   if (shared) {
     result.shared.push_back(describe(*shared, joints.causes()));
@@ -46,10 +56,7 @@ SetDiagnosis diagnoseJoints(const std::vector<JointTask>& tasks, const std::vect
     result.joints[i].nominal_noise = tasks[i].nominal.torque_sd;
     result.runs += result.joints[i].runs;
   }
-  result.verdict = overall(result.joints);
-  if (!result.shared.empty() && result.verdict == Verdict::NoDiscrepancy) {
-    result.verdict = result.shared[0].finding.rivals.empty() ? Verdict::Named : Verdict::Ambiguous;
-  }
+  result.verdict = overall(result);
   return result;
 }
 

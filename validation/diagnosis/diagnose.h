@@ -32,8 +32,9 @@ struct DiagnosisOptions {
 
 /// One number that several joints share.
 struct SharedFinding {
-  Finding finding;  // its joint is "all joints"
-  int joints = 0;   // that it helps by more than the threshold
+  Finding finding;         // its joint is "all joints"
+  int joints = 0;          // that it helps by more than the threshold
+  std::string robot_id{};  // of several robots of a set; empty: it has one
 };
 
 /// What a set of joints shows.
@@ -45,6 +46,9 @@ struct SetDiagnosis {
   int null_sets = 0;
   long runs = 0;
 };
+
+/// What a set comes to: the gravest of its joints, or what all of them share.
+Verdict overall(const SetDiagnosis& diagnosis);
 
 /// Diagnoses all joints of a set: causes of Scope::Robot are first tried as one number for all of
 /// them, then each joint is searched on its own. Thresholds are those of the whole set.

@@ -117,6 +117,7 @@ std::string toJson(const SetDiagnosis& diagnosis, const Provenance& provenance) 
   for (const SharedFinding& one : diagnosis.shared) {
     Json entry = toJson(one.finding);
     entry["joints"] = one.joints;
+    if (!one.robot_id.empty()) entry["robot_id"] = one.robot_id;
     shared.push_back(entry);
   }
   for (const JointVerdict& joint : diagnosis.joints) joints.push_back(toJson(joint));
@@ -139,7 +140,9 @@ std::string toJson(const SetDiagnosis& diagnosis, const Provenance& provenance) 
 std::string toText(const SetDiagnosis& diagnosis) {
   std::ostringstream out;
   out << "verdict: " << wordOf(diagnosis.verdict) << "\n";
-  for (const SharedFinding& one : diagnosis.shared) write(out, "all joints", one.finding);
+  for (const SharedFinding& one : diagnosis.shared) {
+    write(out, (one.robot_id.empty() ? "" : one.robot_id + "/") + "all joints", one.finding);
+  }
   for (const JointVerdict& joint : diagnosis.joints) {
     for (const Finding* finding : joint.named()) write(out, joint.joint, *finding);
     if (joint.verdict == Verdict::Unknown || joint.verdict == Verdict::PartlyExplained) {

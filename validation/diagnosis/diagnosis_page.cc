@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/check.h"
+#include "validation/diagnosis/report_file.h"
 #include "validation/html.h"
 
 namespace nao::validation {
@@ -29,11 +30,14 @@ std::string gainText(const Examined& joint) {
 // The verdict in words: what was found where, the largest error first.
 std::string headline(const SetDiagnosis& diagnosis, const std::vector<Examined>& joints) {
   std::string text;
-  for (const SharedFinding& one : diagnosis.shared) text += one.finding.sentence + ". ";
+  for (const SharedFinding& one : diagnosis.shared) {
+    text += (one.robot_id.empty() ? "" : one.robot_id + ": ") + one.finding.sentence + ". ";
+  }
   for (const Examined& joint : joints) {
     const std::vector<const Finding*> named = joint.verdict->named();
+    const std::string robot = ReportedPlace(joint.verdict->joint).robot_id;
     for (const Finding* finding : named) {
-      text += finding->sentence;
+      text += (robot.empty() ? "" : robot + ": ") + finding->sentence;
       for (const Rival& rival : finding->rivals) text += ", or " + rival.cause;
       text += finding == named.back() ? " (" + gainText(joint) + "). " : "; ";
     }

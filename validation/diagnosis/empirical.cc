@@ -80,12 +80,15 @@ void complete(Cause& cause, const JointSimulator& joint) {
 
 }  // namespace
 
-std::vector<UnknownJoint> unknownJoints(const std::string& report_file) {
+std::vector<UnknownJoint> unknownJoints(const std::string& report_file,
+                                        const std::string& robot_id) {
   std::vector<UnknownJoint> found;
   readReport(report_file, [&](const nlohmann::json& report) {
     for (const nlohmann::json& joint : report.at("joints")) {
+      const ReportedPlace place(joint.at("joint"));
+      if (place.robot_id != robot_id) continue;
       const auto features = featuresIn(joint.at("signature").get<std::string>());
-      if (!features.empty()) found.push_back({joint.at("joint"), features});
+      if (!features.empty()) found.push_back({place.name, features});
     }
   });
   if (found.empty()) throw InputError(report_file + ": no joint has a remainder with a signature");

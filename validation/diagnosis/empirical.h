@@ -7,13 +7,15 @@
 
 namespace nao::validation {
 
-/// The unknowns of a report that have a signature: joint and the words of its features.
+/// The unknowns of a report that have a signature: joint and the words of its features. Of a report
+/// of several robots those of `robot_id`.
 struct UnknownJoint {
   std::string joint;
   std::vector<std::string> features;  // as signature.h names them, best first
 };
 /// @throws InputError for a file that is no report.json, or one whose joints have no signature.
-std::vector<UnknownJoint> unknownJoints(const std::string& report_file);
+std::vector<UnknownJoint> unknownJoints(const std::string& report_file,
+                                        const std::string& robot_id = "");
 
 /// @throws InputError if the set does not have it.
 const PreparedJoint& jointOf(const PreparedSet& set, const std::string& joint);

@@ -136,7 +136,9 @@ std::vector<EffectSetting> acceptedEffects(const std::string& report_file, const
   Acceptance acceptance(report_file, accepted.causes);
   readReport(report_file, [&](const Json& report) {
     requireRobot(report, accepted.robot_id, report_file);
-    for (const Json& finding : report.at("shared")) acceptance.takeFrom(finding, {});
+    for (const Json& finding : report.at("shared")) {
+      if (finding.value("robot_id", "") == accepted.robot_id) acceptance.takeFrom(finding, {});
+    }
     for (const Json& entry : report.at("joints")) {
       const ReportedPlace place(entry.at("joint"));
       if (place.robot_id != accepted.robot_id) continue;
@@ -148,13 +150,15 @@ std::vector<EffectSetting> acceptedEffects(const std::string& report_file, const
 }
 
 std::vector<EffectSetting> reportedAdjustments(const std::string& report_file,
+                                               const std::string& robot_id,
                                                const RobotModel& model) {
   std::vector<EffectSetting> settings;
   readReport(report_file, [&](const Json& report) {
     for (const Json& entry : report.at("joints")) {
+      const ReportedPlace place(entry.at("joint"));
+      if (place.robot_id != robot_id) continue;
       for (const Json& one : entry.value("adjustments", Json::array())) {
-        settings.push_back(
-            settingOf(one, jointsAt(entry.at("joint"), report_file, model), report_file));
+        settings.push_back(settingOf(one, jointsAt(place.name, report_file, model), report_file));
       }
     }
   });

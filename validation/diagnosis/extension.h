@@ -21,9 +21,10 @@ std::vector<EffectSetting> acceptedEffects(const std::string& report_file, const
                                            const RobotModel& model);
 
 /// What the report says that this robot differs by beside them: too little to be a cause, joint by
-/// joint.
+/// joint. `robot_id` as in Accepted.
 /// @throws InputError as above.
 std::vector<EffectSetting> reportedAdjustments(const std::string& report_file,
+                                               const std::string& robot_id,
                                                const RobotModel& model);
 
 /// @throws InputError unless `name` can be that of a robot that is not there yet.

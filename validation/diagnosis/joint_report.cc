@@ -189,8 +189,8 @@ void JointSearch::judgeRemainder(JointVerdict& verdict) const {
     square += half * half / static_cast<double>(stage_->nulls().size());
   }
   const double sd = std::sqrt(std::max(square - mean * mean, 1e-12));
-  verdict.remainder_critical =
-      std::max(quantile(largest, kConfidence), (kNoiseKnown * kNoiseKnown - 1) * mean / sd);
+  verdict.remainder_critical = std::max(quantile(largest, 1 - effort_.false_alarms),
+                                        (kNoiseKnown * kNoiseKnown - 1) * mean / sd);
   verdict.remainder_score = (stage_->whiteAll(stage_->raw()).squaredNorm() / 2 - mean) / sd;
 }
 

@@ -136,7 +136,7 @@ double JointSearch::critical() const {
   for (std::size_t i = 0; i < largest.size() && i < others_.gains.size(); ++i) {
     largest[i] = std::max(largest[i], others_.gains[i]);
   }
-  return quantile(largest, kConfidence);
+  return quantile(largest, 1 - effort_.false_alarms);
 }
 
 // Half the squares of what is left, over what the null sets leave.

@@ -62,9 +62,6 @@ class JointSearch {
   const JointData& data() const { return data_; }
 
  private:
-  // Of thresholds, over the null sets of a whole data set.
-  static constexpr double kConfidence = 0.99;
-
   struct Accepted {
     std::size_t cause = 0;
     double gain = 0, share = 0;

@@ -34,7 +34,7 @@ KeptWork::KeptWork(std::string folder, const std::string& key) : folder_(std::mo
 }
 
 std::string KeptWork::fileOf(const std::string& unit) const {
-  std::string name = unit;
+  std::string name = part_ + unit;
   for (char& c : name) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '.' && c != '-') c = '_';
   }
@@ -67,6 +67,12 @@ std::string KeptWork::remember(const std::string& unit,
   std::string content = work();
   keep(unit, content);
   return content;
+}
+
+KeptWork KeptWork::part(const std::string& name) const {
+  KeptWork named = *this;
+  named.part_ += name + ".";
+  return named;
 }
 
 void KeptWork::discard() const {

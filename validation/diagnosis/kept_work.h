@@ -27,13 +27,16 @@ class KeptWork {
   /// The unit as it was kept, or as `work` makes it now.
   std::string remember(const std::string& unit, const std::function<std::string()>& work) const;
 
+  /// The same folder for units whose names may be those of others: a part of the work with a name.
+  KeptWork part(const std::string& name) const;
+
   /// The work is done: the folder goes.
   void discard() const;
 
  private:
   std::string fileOf(const std::string& unit) const;
 
-  std::string folder_;
+  std::string folder_, part_;
   Found found_ = Found::Nothing;
 };
 

@@ -14,13 +14,14 @@ namespace nao::validation {
 
 /// How much a diagnosis simulates.
 struct Effort {
-  int look_runs = 8;    // per motion, of a candidate's looks and first fit
-  int final_runs = 32;  // of the fits of finalists
-  int base_runs = 48;   // exact ones, of the model that the measurement is compared with
-  int null_sets = 200;  // drawn from those
-  int survivors = 8;    // candidates that are fitted at all
-  int finalists = 4;    // that are fitted with final_runs
-  int most_causes = 4;  // named for one joint
+  int look_runs = 8;           // per motion, of a candidate's looks and first fit
+  int final_runs = 32;         // of the fits of finalists
+  int base_runs = 48;          // exact ones, of the model that the measurement is compared with
+  int null_sets = 200;         // drawn from those
+  int survivors = 8;           // candidates that are fitted at all
+  int finalists = 4;           // that are fitted with final_runs
+  int most_causes = 4;         // named for one joint
+  double false_alarms = 0.01;  // that thresholds let pass, of null sets of the whole set
 };
 
 /// What switching a cause on does to the prediction, once, at its start values.

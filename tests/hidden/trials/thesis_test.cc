@@ -215,7 +215,8 @@ TEST(Thesis, AStatusIntervalIsAHoldNotALatency) {
   const auto found =
       diagnoseJoints({{joint.simulator.get(), joint.noise}}, validation::jointCauses(), options);
   const Finding* hold = nullptr;
-  for (const auto& [one, joints] : found.shared) {
+  for (const validation::SharedFinding& shared : found.shared) {
+    const Finding& one = shared.finding;
     if (!one.small && (!hold || one.gain > hold->gain)) hold = &one;
   }
   for (const Finding* one : found.joints.front().named()) {

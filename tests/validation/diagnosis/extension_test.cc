@@ -78,7 +78,7 @@ TEST_F(ExtensionTest, ARivalIsTakenByItsIdWithItsOwnNumbersAndNothingElse) {
 }
 
 TEST_F(ExtensionTest, SmallAdjustmentsAreTheirJointsOwn) {
-  const std::vector<EffectSetting> adjustments = reportedAdjustments(report_, *model_);
+  const std::vector<EffectSetting> adjustments = reportedAdjustments(report_, "", *model_);
   ASSERT_THAT(namesOf(adjustments), ElementsAre("kd_error"));
   EXPECT_EQ(adjustments[0].parameters.at("part"), -0.01);
   EXPECT_THAT(adjustments[0].joints, ElementsAre(*model_->findJoint("LKneePitch")));

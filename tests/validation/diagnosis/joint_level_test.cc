@@ -1,0 +1,128 @@
+#include "validation/diagnosis/joint_level.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/check.h"
+#include "tests/core/temporary_folder.h"
+#include "tests/support/models.h"
+#include "validation/diagnosis/diagnosis_json.h"
+#include "validation/diagnosis/diagnosis_page.h"
+#include "validation/diagnosis/extension.h"
+#include "validation/log/simulated_recording.h"
+#include "validation/suspended.h"
+
+namespace nao::validation {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+// A head's yaw that turns for two seconds, hung up.
+LogSet record(const std::string& robot, const std::vector<EffectSetting>& hidden,
+              std::uint64_t seed) {
+  RecordingPlan plan;
+  plan.model = std::make_shared<RobotModel>(suspend(*test::robot("nao_h21_v33")));
+  plan.extra = plan.model->noise;
+  plan.extra.insert(plan.extra.end(), hidden.begin(), hidden.end());
+  plan.motions = standardRecording(plan.model);
+  plan.motions.resize(2);
+  for (RecordedMotion& motion : plan.motions) motion.duration = 2;
+  plan.joints = {"HeadYaw"};
+  moveOnly(plan.joints, plan.model, plan.motions);
+  plan.repeats = 3;
+  plan.start_sd = 0.001;
+  plan.seed = seed;
+  LogSet set = recordSimulated(plan);
+  for (LogRun& run : set.runs) run.robot_id = robot;
+  return set;
+}
+
+EffectSetting weakGain() {
+  const Joint head = *test::robot("nao_h21_v33")->findJoint("HeadYaw");
+  return {"kp_error", {{"part", -0.4}}, {head}, ""};
+}
+
+// Of two robots the second is weak.
+LogSet recordTwo() {
+  LogSet set = record("7", {}, 1);
+  for (LogRun run : record("8", {weakGain()}, 2).runs) {
+    run.file = "8_" + run.file;
+    set.runs.push_back(run);
+  }
+  return set;
+}
+
+JointLevelOptions quick() {
+  JointLevelOptions options;
+  options.effort = {2, 4, 12, 40, 3, 1, 1};
+  return options;
+}
+
+JointLevelDiagnosis diagnose(const LogSet& set, const JointLevelOptions& options) {
+  return diagnoseJointLevel(set, test::robot("nao_h21_v33"), {}, options);
+}
+
+TEST(JointLevel, OfTwoRobotsBlamesTheFaultyOne) {
+  JointLevelOptions options = quick();
+  options.examine = true;
+  std::set<std::string> told;
+  options.progress = [&](const std::string& what, double part) {
+    EXPECT_TRUE(part >= 0 && part <= 1) << what << " " << part;
+    told.insert(what.substr(0, what.find(':')));
+  };
+  const auto [found, notes, examined] = diagnose(recordTwo(), options);
+  ASSERT_EQ(found.joints.size(), 2u);
+  EXPECT_EQ(found.joints[0].joint, "7/HeadYaw");
+  EXPECT_EQ(found.joints[0].verdict, Verdict::NoDiscrepancy);
+  EXPECT_EQ(found.joints[1].joint, "8/HeadYaw");
+  ASSERT_EQ(found.joints[1].named().size(), 1u);
+  EXPECT_EQ(found.joints[1].named()[0]->cause, "kp_error");
+  EXPECT_NEAR(found.joints[1].named()[0]->numbers[0].deviation, -0.4, 0.04);
+  EXPECT_EQ(found.verdict, found.joints[1].verdict);
+  EXPECT_THAT(told, ElementsAre("7", "8"));
+
+  ASSERT_EQ(examined.size(), 2u);
+  EXPECT_LT(examined[1].after.rmse, examined[1].before.rmse);
+  const Provenance origin{"set", "nao_h21_v33", "command", "joint"};
+  EXPECT_THAT(diagnosisPage(found, examined, origin), HasSubstr(">8: "));
+
+  const TemporaryFolder folder;
+  const std::string report = folder.write("report.json", toJson(found, origin));
+  const auto model = test::robot("nao_h21_v33");
+  EXPECT_EQ(acceptedEffects(report, {{}, "8"}, *model).size(), 1u);
+  EXPECT_THROW(acceptedEffects(report, {{}, "7"}, *model), InputError);
+  EXPECT_THROW(acceptedEffects(report, {}, *model), InputError);
+}
+
+// Each robot's units have names of their own, so that none is taken for another's.
+TEST(JointLevel, GoesOnWithWhatEachRobotFinished) {
+  const TemporaryFolder folder;
+  const LogSet set = recordTwo();
+  const std::string whole = toJson(diagnose(set, quick()).found, {});
+  JointLevelOptions options = quick();
+  options.kept = KeptWork(folder.path() + "/kept", "key");
+  EXPECT_EQ(toJson(diagnose(set, options).found, {}), whole);
+  options.kept = KeptWork(folder.path() + "/kept", "key");
+  EXPECT_EQ(options.kept.found(), KeptWork::Found::Same);
+  EXPECT_EQ(toJson(diagnose(set, options).found, {}), whole);
+}
+
+TEST(JointLevel, ARobotWithoutRunsToFitIsToldByName) {
+  LogSet set = recordTwo();
+  for (LogRun& run : set.runs) {
+    if (run.robot_id == "8") run.split = Split::Test;
+  }
+  try {
+    diagnose(set, quick());
+    FAIL() << "expected a complaint";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(),
+                HasSubstr("of robot 8: expected at least one run with the split fit"));
+  }
+}
+
+}  // namespace
+}  // namespace nao::validation
