@@ -29,6 +29,12 @@ bool fell(const LogSet& set) {
   });
 }
 
+std::vector<std::string> anglesOf(const LogSet& set) {
+  std::vector<std::string> columns;
+  for (const validation::LogJoint& joint : set.joints) columns.push_back("q." + joint.name);
+  return columns;
+}
+
 class FloorMaker {
  public:
   FloorMaker(const HiddenCase& hidden, const std::shared_ptr<const RobotModel>& nominal)
@@ -85,15 +91,15 @@ class FloorMaker {
     return validation::recordOnFloor(plan);
   }
 
-  // What the effect changes, in SDs of the measured mean, at the joint where that is most.
-  double sizeOf(const EffectSetting& effect) {
+  // What the effect changes, in SDs of the measured mean, in the column where that is most.
+  double sizeOf(const EffectSetting& effect, const std::vector<std::string>& columns) {
     const LogSet with = sample({effect});
     if (fell(with)) return kTooLarge;
     double most = 0;
-    for (const validation::LogJoint& joint : with.joints) {
-      const Repeats before = repeatsOf(without(), joint.name);
+    for (const std::string& column : columns.empty() ? anglesOf(with) : columns) {
+      const Repeats before = repeatsOfColumn(without(), column);
       const double sd = spreadOf(before) / std::sqrt(static_cast<double>(hidden_.repeats));
-      const Repeats change = less(repeatsOf(with, joint.name), before);
+      const Repeats change = less(repeatsOfColumn(with, column), before);
       most = std::max(most, rmsWhereActing(change) / sd);
     }
     return most;
@@ -114,7 +120,8 @@ class FloorMaker {
     const bool as_it_is = hideout.start == hideout.most;  // its size is what it is
     Scaled scaled{std::abs(hideout.start), 0};
     if (as_it_is) scaled.size = wish.size;
-    if (!as_it_is) scaled = scaleTo(wish, [&](double one) { return sizeOf(settingOf(one)); });
+    if (!as_it_is)
+      scaled = scaleTo(wish, [&](double one) { return sizeOf(settingOf(one), hideout.columns); });
     note(wish, settingOf(scaled.deviation), sign * scaled.deviation, scaled.size);
     plan_.extra.push_back(settingOf(scaled.deviation));
     without_ = {};

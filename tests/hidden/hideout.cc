@@ -65,6 +65,15 @@ Hideout at(std::vector<std::string> places, Hideout hideout) {
   return hideout;
 }
 
+// Of sensors that nothing else shows.
+Hideout read(Hideout hideout, std::vector<std::string> columns) {
+  hideout.columns = std::move(columns);
+  return hideout;
+}
+Hideout readByBoard(const Hideout& hideout) {
+  return read(hideout, {"imu.acc.x", "imu.acc.y", "imu.acc.z", "imu.gyr.x", "imu.gyr.y"});
+}
+
 Hideout stranger(const std::string& law, double start, double most,
                  std::vector<std::string> features, std::map<std::string, double> shape = {}) {
   Hideout hideout = way("", law, "size", start, most);
@@ -238,6 +247,11 @@ std::vector<Hideout> robotHideouts() {
       at(rolls, way("encoder_offset", "hidden_shifted_encoder", "angle", -0.03, -0.2)),
       at({"LLeg", "RLeg"}, own("kp_error", "part", -0.3, -0.9)),
       at({"LLeg", "RLeg"}, own("command_latency", "delay", 0.02, 0.2)),
+      all(readByBoard(part("imu_bias", "acc_y", 0.2, 3))),
+      all(readByBoard(part("imu_bias", "gyro_y", -0.02, -0.5))),
+      all(readByBoard(part("imu_scale", "gyro", 0.1, 1))),
+      all(readByBoard(way("imu_misalignment.y", "hidden_turned_board", "y", 0.05, 0.5))),
+      all(readByBoard(otherNumber(way("imu_low_pass", "hidden_averaging_board", "time", 0.1, 1)))),
   });
 }
 

@@ -25,6 +25,7 @@ struct Hideout {
   bool comparable = true;               // the law's number means what the cause's does
   std::vector<std::string> features;    // of strangers: words of a right signature
   std::vector<std::string> places;      // of limb and robot sets: joints, limbs or "robot"
+  std::vector<std::string> columns;     // that show its size; none: the angles of all joints
   std::string needs;                    // part of the name of the joints where it can act
 };
 

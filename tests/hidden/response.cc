@@ -36,11 +36,15 @@ std::vector<Moments> momentsOf(const Repeats& repeats) {
 }  // namespace
 
 Repeats repeatsOf(const validation::LogSet& set, const std::string& joint) {
+  return repeatsOfColumn(set, "q." + joint);
+}
+
+Repeats repeatsOfColumn(const validation::LogSet& set, const std::string& name) {
   Repeats repeats;
   for (const validation::LogRun& run : set.runs) {
     const auto r = static_cast<std::size_t>(run.repeat);
     repeats.resize(std::max(repeats.size(), r + 1));
-    const validation::Column& column = run.columns.at("q." + joint);
+    const validation::Column& column = run.columns.at(name);
     repeats[r].insert(repeats[r].end(), column.begin(), column.end());
   }
   return repeats;

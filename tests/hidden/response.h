@@ -11,6 +11,8 @@ namespace nao::hidden {
 /// must have the same number of repeats.
 using Repeats = std::vector<std::vector<double>>;
 Repeats repeatsOf(const validation::LogSet& set, const std::string& joint);
+/// The same of any column, in its unit.
+Repeats repeatsOfColumn(const validation::LogSet& set, const std::string& name);
 
 /// Repeat by repeat and sample by sample: a - factor * b. Repeats that were made by the same chance
 /// differ by what an effect does, and by little else.

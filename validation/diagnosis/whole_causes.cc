@@ -122,10 +122,11 @@ class Builder {
   std::vector<Joint> added_, done_;
 };
 
-Cause worldCause(const char* effect, const char* parameter, std::vector<double> starts,
+Cause worldCause(const char* id, const char* parameter, std::vector<double> starts,
                  const char* sentence, const char* separate) {
   Cause cause;
-  cause.id = cause.effect = effect;
+  cause.id = id;
+  cause.effect = cause.id.substr(0, cause.id.find('.'));
   cause.free = {{parameter, std::move(starts), Form::Offset, "", 0, 0, 0, 0}};
   cause.scope = Scope::Robot;
   cause.linear = false;
@@ -147,6 +148,50 @@ void addWorld(Builder& builder) {
   builder.add(
       worldCause("payload", "mass", {0.3}, "the torso carries {value} more", "weigh the robot"),
       "robot", {});
+}
+
+Cause sensorCause(const std::string& effect, const std::string& parameter, double start,
+                  const std::string& sentence, const char* separate) {
+  Cause cause = worldCause((effect + "." + parameter).c_str(), parameter.c_str(), {start},
+                           sentence.c_str(), separate);
+  cause.linear = true;
+  return cause;
+}
+
+const char* const kSixSides = "hold the robot still on its six sides";
+
+// How a robot came to stand, of which a log says nothing, tilts its torso by a third of a degree,
+// and so far apart units sit in equal robots: a degree is of interest.
+constexpr double kLean = 0.006, kTurned = 0.0175;  // [rad]
+constexpr double kGravity = 9.81;                  // [m/s^2]
+
+Cause of(Cause cause, double spread, double smallest) {
+  cause.spread = spread;
+  cause.free[0].smallest = smallest;
+  return cause;
+}
+
+// Readings are wrong by a constant, or as a part of themselves.
+void addInertialUnit(Builder& builder) {
+  const auto add = [&](const Cause& cause) { builder.add(cause, "robot", {}); };
+  for (const char* axis : {"x", "y", "z"}) {
+    const std::string about = axis;
+    add(of(sensorCause("imu_bias", "acc_" + about, 0.5,
+                       "the accelerometer reads {value} too much along " + about, kSixSides),
+           0, kTurned * kGravity));
+    add(sensorCause("imu_bias", "gyro_" + about, 0.02,
+                    "the gyroscope reads {value} too much about " + about,
+                    "read it while the robot rests"));
+    add(of(sensorCause("imu_misalignment", about, 0.05,
+                       "the inertial unit sits turned by {value} about " + about, kSixSides),
+           kLean, kTurned));
+  }
+  add(sensorCause("imu_scale", "acc", 0.05, "the accelerometer exaggerates by {value}", kSixSides));
+  add(sensorCause("imu_scale", "gyro", 0.1, "the gyroscope exaggerates by {value}",
+                  "turn the robot by a known angle"));
+  add(worldCause("imu_low_pass", "time", {0.02, 0.1},
+                 "accelerometer and gyroscope are smoothed over {value}",
+                 "knock at the chest of the resting robot"));
 }
 
 std::vector<Joint> among(const std::vector<Joint>& some, const std::vector<Joint>& measured) {
@@ -224,6 +269,7 @@ std::vector<PlacedCause> robotCauses(const RobotModel& model, const std::vector<
   Builder builder(model, measured);
   if (!model.fixed_base) addWorld(builder);
   builder.add(kEverywhere, "robot", {});
+  addInertialUnit(builder);
   for (const std::string& limb : limbsOf(model, measured)) {
     const std::vector<Joint> joints = jointsOf(model, limb, measured);
     if (isLeg(limb)) builder.add(kSide, limb, joints);

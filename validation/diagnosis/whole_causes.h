@@ -24,9 +24,9 @@ PlacedCause placedCause(const Cause& cause, const std::string& place,
                         const std::vector<Joint>& joints, const RobotModel& model,
                         const std::vector<Joint>& measured);
 
-/// The causes of the robot level: of the ground and the body's mass, every cause of the joint level
-/// that acts in one way on all joints, the main ones of a leg, and of every joint. What a lower
-/// level has found stands among them and competes again.
+/// The causes of the robot level: of the ground, the body's mass, its inertial unit, every cause
+/// of the joint level that acts in one way on all joints, the main ones of a leg, and of every
+/// joint. What a lower level has found stands among them and competes again.
 std::vector<PlacedCause> robotCauses(const RobotModel& model, const std::vector<Joint>& measured);
 
 /// The causes of the limb level: coupled stops of two of its joints; what hangs on the chain (mass

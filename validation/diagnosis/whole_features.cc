@@ -7,13 +7,15 @@
 namespace nao::validation {
 namespace {
 
-constexpr double kBin = 0.02;      // [s] two cycles of a Nao: a third of its gear's slowest swing
-constexpr double kStretch = 0.5;   // [s] about a step of a walk
-constexpr double kAngle = 2.5e-4;  // [rad] a sixth of an encoder's count
-constexpr double kTilt = 5e-4;     // [rad]
-constexpr double kWeight = 0.5;    // [N] 1 % of a Nao
-constexpr double kPlace = 5e-4;    // [m]
-constexpr double kHeading = 1e-3;  // [rad]
+constexpr double kBin = 0.02;           // [s] two cycles: a third of a Nao's gear's slowest swing
+constexpr double kStretch = 0.5;        // [s] about a step of a walk: jolts of landings are gone
+constexpr double kAngle = 2.5e-4;       // [rad] a sixth of an encoder's count
+constexpr double kTilt = 5e-4;          // [rad]
+constexpr double kAcceleration = 0.02;  // [m/s^2] its size of interest, as the next
+constexpr double kTurning = 2e-3;       // [rad/s]
+constexpr double kWeight = 0.5;         // [N] 1 % of a Nao
+constexpr double kPlace = 5e-4;         // [m]
+constexpr double kHeading = 1e-3;       // [rad]
 
 void putBins(const Eigen::VectorXd& course, Eigen::Index per_bin, Eigen::Index bins, double*& to) {
   for (Eigen::Index b = 0; b < bins; ++b) *to++ = course.segment(b * per_bin, per_bin).mean();
@@ -52,12 +54,21 @@ FeatureSpace::FeatureSpace(const WholeSimulator& simulator, const WholeBlock& bl
     add("weight_left", "N", bins, dt, kWeight);
     add("weight_right", "N", bins, dt, kWeight);
   }
+  const double long_dt = static_cast<double>(per_stretch_) * like.dt;
+  const auto addMeans = [&](const std::string& name, const std::string& unit, double floor) {
+    add(name, unit, rows_ / per_stretch_, long_dt, floor);
+  };
+  for (Eigen::Index i = 0; i < like.acceleration.cols(); ++i) {
+    addMeans(std::string("acceleration_") + "xyz"[i], "m/s^2", kAcceleration);
+  }
+  for (Eigen::Index i = 0; i < like.turning.cols(); ++i) {
+    addMeans(std::string("turning_") + "xyz"[i], "rad/s", kTurning);
+  }
   if (like.place.size() > 0) {
     const Eigen::Index count = (rows_ - 1) / per_stretch_;
-    const double stretch = static_cast<double>(per_stretch_) * like.dt;
-    add("ahead", "m", count, stretch, kPlace);
-    add("aside", "m", count, stretch, kPlace);
-    add("turn", "rad", count, stretch, kHeading);
+    add("ahead", "m", count, long_dt, kPlace);
+    add("aside", "m", count, long_dt, kPlace);
+    add("turn", "rad", count, long_dt, kHeading);
   }
   for (const GaitNumber& number : calcGait(like)) {
     add(number.name, number.unit, 1, 0, number.floor);
@@ -81,6 +92,11 @@ Eigen::VectorXd FeatureSpace::of(const WholeRun& run) const {
   for (const Eigen::MatrixXd* signal : {&run.tilt, &run.weight}) {
     for (Eigen::Index i = 0; i < signal->cols(); ++i) {
       putBins(signal->col(i), per_bin_, bins, to);
+    }
+  }
+  for (const Eigen::MatrixXd* signal : {&run.acceleration, &run.turning}) {
+    for (Eigen::Index i = 0; i < signal->cols(); ++i) {
+      putBins(signal->col(i), per_stretch_, rows_ / per_stretch_, to);
     }
   }
   if (run.place.size() > 0) {

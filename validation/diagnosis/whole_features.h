@@ -19,8 +19,9 @@ struct FeatureGroup {
 };
 
 /// What of a run is compared, as one vector: angles of joints, tilt of the torso and weight on the
-/// soles in bins of 20 ms; how far the torso came and turned in every half second, seen from where
-/// it was then (chaos adds up in places, not in these); and the run's gait numbers.
+/// soles in bins of 20 ms; of every half second the mean of accelerometer and gyroscope, in which
+/// what steps and gears make them shake is gone, and how far the torso came and turned, seen from
+/// where it was then (chaos adds up in places, not in these); and the run's gait numbers.
 class FeatureSpace {
  public:
   /// `joints`: whose angles count; `body`: whether tilt, weight, place and gait do.

@@ -103,7 +103,10 @@ void WholeNoise::addBlock(const WholeData& data, const WholePool& pool, std::siz
     direction.segment(at, scaled.rows()) = of_mean / std::sqrt(columns) * together.col(i);
     directions.push_back(std::move(direction));
   }
-  addRest(groups, at, of_mean, simulated - together * svd.matrixV().leftCols(count).transpose());
+  // Each direction takes a run's worth of scatter with it.
+  const double free = columns - 1, left = std::max(1.0, free - static_cast<double>(count));
+  addRest(groups, at, of_mean * std::sqrt(free / left),
+          simulated - together * svd.matrixV().leftCols(count).transpose());
 }
 
 void WholeNoise::addRest(const std::vector<FeatureGroup>& groups, Eigen::Index at, double of_mean,

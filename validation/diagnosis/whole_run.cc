@@ -126,7 +126,9 @@ WholeRun wholeRunOf(const LogRun& run, const LogSet& set, const RobotModel& mode
     readJoint(reader, joint, static_cast<Eigen::Index>(index(*found)), whole);
   }
   whole.tilt = reader.columns({"imu.ang.x", "imu.ang.y"});
-  whole.turning = reader.columns({"imu.gyr.x", "imu.gyr.y"});
+  whole.acceleration = reader.columns({"imu.acc.x", "imu.acc.y", "imu.acc.z"});
+  whole.turning = reader.columns({"imu.gyr.x", "imu.gyr.y", "imu.gyr.z"});
+  if (whole.turning.size() == 0) whole.turning = reader.columns({"imu.gyr.x", "imu.gyr.y"});
   whole.fell = whole.tilt.size() > 0 && whole.tilt.cwiseAbs().maxCoeff() > M_PI / 4;
   whole.weight = weightOf(reader);
   whole.place = placeOf(reader);

@@ -17,7 +17,8 @@ struct WholeRun {
   Eigen::MatrixXd command, stiffness;  // [rad], a column per joint of the model
   Eigen::MatrixXd angle;               // [rad] likewise; of joints that were not measured: 0
   Eigen::MatrixXd tilt;                // [rad] roll and pitch of the torso, as its board fuses them
-  Eigen::MatrixXd turning;             // [rad/s] roll and pitch rate of its gyroscope
+  Eigen::MatrixXd acceleration;        // [m/s^2] of its accelerometer, x, y, z in T
+  Eigen::MatrixXd turning;             // [rad/s] of its gyroscope about x, y and, if it has one, z
   Eigen::MatrixXd weight;              // [N] on the left and on the right sole
   /// x, y [m] and yaw [rad] of the torso, from where it was in the first row and ahead as it looked
   /// there; headings go on beyond half a turn. Without yaw if only the place was measured.

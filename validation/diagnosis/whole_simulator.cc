@@ -109,9 +109,11 @@ class Replay {
     played_.command = measured_.command;
     played_.stiffness = measured_.stiffness;
     played_.angle = Eigen::MatrixXd::Zero(rows, measured_.angle.cols());
-    played_.tilt = Eigen::MatrixXd::Zero(measured_.tilt.rows(), measured_.tilt.cols());
-    played_.weight = Eigen::MatrixXd::Zero(measured_.weight.rows(), measured_.weight.cols());
-    played_.place = Eigen::MatrixXd::Zero(measured_.place.rows(), measured_.place.cols());
+    for (Eigen::MatrixXd WholeRun::*signal :
+         {&WholeRun::tilt, &WholeRun::acceleration, &WholeRun::turning, &WholeRun::weight,
+          &WholeRun::place}) {
+      (played_.*signal).setZero((measured_.*signal).rows(), (measured_.*signal).cols());
+    }
   }
 
   // Where the links were: feet that stand hold the legs beside their commands. Encoders see the
@@ -149,6 +151,12 @@ class Replay {
     }
     lookForFall();
     if (played_.tilt.size() > 0) played_.tilt.row(k) << frame.angle_x, frame.angle_y;
+    if (played_.acceleration.size() > 0) {
+      played_.acceleration.row(k) = frame.accelerometer.transpose();
+    }
+    if (played_.turning.size() > 0) {
+      played_.turning.row(k) = frame.gyroscope.head(played_.turning.cols()).transpose();
+    }
     if (played_.weight.size() > 0) {
       played_.weight.row(k) << frame.feet[0].total, frame.feet[1].total;
     }
@@ -191,8 +199,8 @@ Eigen::Index rowsThatMove(const WholeRun& run) {
 }
 
 void cut(WholeRun& run, Eigen::Index rows) {
-  for (Eigen::MatrixXd* signal : {&run.command, &run.stiffness, &run.angle, &run.tilt, &run.turning,
-                                  &run.weight, &run.place}) {
+  for (Eigen::MatrixXd* signal : {&run.command, &run.stiffness, &run.angle, &run.tilt,
+                                  &run.acceleration, &run.turning, &run.weight, &run.place}) {
     if (signal->rows() > rows) signal->conservativeResize(rows, Eigen::NoChange);
   }
 }

@@ -66,38 +66,14 @@ double smoothFriction(double torque, double rate, double creep) {
 const sim::EffectCatalogue& hiddenEffects() {
   static const sim::EffectCatalogue catalogue = [] {
     sim::EffectCatalogue all = sim::standardEffects();
-    for (auto* const law : {smoothCoulomb,
-                            viscousWithSquare,
-                            lorentzStribeck,
-                            motorLoadFriction,
-                            smoothAsymmetry,
-                            softPlay,
-                            dryCompliance,
-                            shiftedEncoder,
-                            denseCore,
-                            tiedBall,
-                            messageLatency,
-                            clockedHold,
-                            lateReading,
-                            twoPoleFilter,
-                            easedRateLimit,
-                            smoothDeadband,
-                            resistiveSag,
-                            ankleHull,
-                            roughPatch,
-                            quadraticDrag,
-                            periodicTorque,
-                            stickySpot,
-                            detent,
-                            torqueStep,
-                            hardeningSpring,
-                            speedBand,
-                            pulsingFriction,
-                            hose,
-                            oneSidedGain,
-                            driftingGain,
-                            commandHysteresis,
-                            eccentricEncoder}) {
+    for (auto* const law :
+         {smoothCoulomb,  viscousWithSquare, lorentzStribeck,   motorLoadFriction, smoothAsymmetry,
+          softPlay,       dryCompliance,     shiftedEncoder,    denseCore,         tiedBall,
+          messageLatency, clockedHold,       lateReading,       twoPoleFilter,     easedRateLimit,
+          smoothDeadband, resistiveSag,      ankleHull,         turnedBoard,       averagingBoard,
+          roughPatch,     quadraticDrag,     periodicTorque,    stickySpot,        detent,
+          torqueStep,     hardeningSpring,   speedBand,         pulsingFriction,   hose,
+          oneSidedGain,   driftingGain,      commandHysteresis, eccentricEncoder}) {
       all.add(law());
     }
     return all;

@@ -9,7 +9,8 @@ namespace nao::hidden {
 
 /// The simulator's effects, and the laws of this folder beside them. These are written here and
 /// nowhere else, so that what a diagnosis has to find is not what it fits:
-///   likenesses  the cause of a catalogue entry by another law (friction.cc, timing.cc, gear.cc)
+///   likenesses  the cause of a catalogue entry by another law (friction.cc, timing.cc, gear.cc,
+///               board.cc)
 ///   strangers   causes that no entry of the catalogue stands for (strangers_*.cc)
 const sim::EffectCatalogue& hiddenEffects();
 
@@ -52,6 +53,8 @@ sim::EffectType easedRateLimit();
 sim::EffectType smoothDeadband();
 sim::EffectType resistiveSag();
 sim::EffectType ankleHull();
+sim::EffectType turnedBoard();
+sim::EffectType averagingBoard();
 
 sim::EffectType roughPatch();
 sim::EffectType quadraticDrag();

@@ -76,6 +76,27 @@ TEST(WholeDiagnosis, OfTwoRobotsBlamesTheFaultyOne) {
   EXPECT_FALSE(json["gait"].empty());
 }
 
+const std::vector<std::string> kInertialUnit{"imu_misalignment.x", "imu_misalignment.y",
+                                             "imu_bias.acc_x",     "imu_bias.gyro_y",
+                                             "imu_scale.acc",      "kp_error at LHipPitch"};
+
+// A bias along one axis reads like a turned board at rest; what the others say tells them apart.
+TEST(WholeDiagnosis, TellsWhatTheInertialUnitReadsWrong) {
+  const WholeDiagnosis diagnosis =
+      diagnose(record({{"imu_misalignment", {{"x", 0}, {"y", 0.06}, {"z", 0}}, {}, ""}}, 1, 4),
+               kInertialUnit);
+  EXPECT_EQ(placesOf(diagnosis), "imu_misalignment.y at robot; ");
+  // How the robot came to stand, of which a log says nothing, tilts its torso by a third of a
+  // degree.
+  EXPECT_NEAR(diagnosis.set.joints.front().named()[0]->numbers[0].deviation, 0.06, 0.008);
+}
+
+TEST(WholeDiagnosis, AnInertialUnitThatReadsRightIsNotBlamed) {
+  for (const std::uint64_t seed : {4, 6, 7}) {
+    EXPECT_EQ(placesOf(diagnose(record({}, 1, seed), kInertialUnit)), "") << seed;
+  }
+}
+
 // This level would not try it by itself here; of what is not so, one would show and one would not.
 TEST(WholeDiagnosis, WhatALowerLevelFoundCompetesAgain) {
   const WholeDiagnosis diagnosis =
