@@ -130,7 +130,7 @@ void RobotBody::needInertia() {
 void RobotBody::solve(const std::vector<ExternalForce>& external, double h) {
   addExternal(external, h);
   for (int solves = 1;; ++solves) {
-    system_ = inertia_;
+    system_.takeEntries(inertia_);
     du_ = external_ - h * bias_;
     drive_.addTo(system_, du_);
     stops_.addTo(system_, du_);
@@ -199,7 +199,7 @@ void RobotBody::moved() {
 void RobotBody::needMobility() {
   if (mobility_known_) return;
   needInertia();
-  mobility_ = inertia_;
+  mobility_.takeEntries(inertia_);
   mobility_.factor();
   mobility_known_ = true;
 }

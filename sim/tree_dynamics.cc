@@ -28,7 +28,16 @@ void turnColumns(const Mat3& R, int from, int to, double angle, Mat3& out) {
   out.col(to) = c * b - s * a;
 }
 
-Vec3 times(const double* s, const Vec3& w) {  // symmetric: xx yy zz xy xz yz
+// Eigen's own product of two such is a call.
+void multiply(const Mat3& a, const Mat3& b, Mat3& out) {
+  for (int c = 0; c < 3; ++c) {
+    for (int r = 0; r < 3; ++r) {
+      out(r, c) = a(r, 0) * b(0, c) + a(r, 1) * b(1, c) + a(r, 2) * b(2, c);
+    }
+  }
+}
+
+inline Vec3 times(const double* s, const Vec3& w) {  // symmetric: xx yy zz xy xz yz
   return {s[0] * w.x() + s[3] * w.y() + s[4] * w.z(), s[3] * w.x() + s[1] * w.y() + s[5] * w.z(),
           s[4] * w.x() + s[5] * w.y() + s[2] * w.z()};
 }
@@ -103,7 +112,7 @@ void TreeDynamics::placeChild(std::size_t i, double angle, double rate) {
   const BodyMotion& parent = motion_[p];
   BodyMotion& body = motion_[i];
   Mat3 turned;
-  if (!link.aligned) turned.noalias() = parent.R_WB * link.R_PB;
+  if (!link.aligned) multiply(parent.R_WB, link.R_PB, turned);
   const Mat3& R = link.aligned ? parent.R_WB : turned;
   switch (link.axis) {
     case Link::Axis::X:
@@ -116,7 +125,7 @@ void TreeDynamics::placeChild(std::size_t i, double angle, double rate) {
       turnColumns(R, 0, 1, angle, body.R_WB);
       break;
     case Link::Axis::Any:
-      body.R_WB.noalias() = R * Eigen::AngleAxisd(angle, link.axis_B).toRotationMatrix();
+      multiply(R, Eigen::AngleAxisd(angle, link.axis_B).toRotationMatrix(), body.R_WB);
       break;
   }
   Moving& moving = moving_[i];
@@ -136,7 +145,8 @@ void TreeDynamics::takeInertia(std::size_t i) {
   const Mat3& R = motion_[i].R_WB;
   Moving& moving = moving_[i];
   moving.com = moving.arm + R * link.com_B;
-  const Mat3 RI = R * link.inertia_B;
+  Mat3 RI;
+  multiply(R, link.inertia_B, RI);
   double* central = moving.central;
   central[0] = RI.row(0).dot(R.row(0));
   central[1] = RI.row(1).dot(R.row(1));

@@ -27,6 +27,9 @@ class TreeMatrix {
   double* row(int i) { return values_.data() + i * size(); }
   const double* row(int i) const { return values_.data() + i * size(); }
 
+  /// Takes over the entries of a matrix of the same tree.
+  void takeEntries(const TreeMatrix& other) { values_ = other.values_; }
+
   /// Adds the diagonal `d`.
   void addDiagonal(const Eigen::VectorXd& d);
 
