@@ -9,6 +9,7 @@
 namespace nao::validation {
 namespace {
 
+const double kZeroSpread = 0.1 * M_PI / 180 / std::sqrt(3.0);  // [rad] of an encoder
 constexpr double kFar = 1e9;  // of a parameter whose neutral value is as good as infinite
 
 // Healthy robots of one kind differ by 10 % in friction, taken as uniform.
@@ -83,7 +84,10 @@ Cause boundedAt(const Cause& cause, const JointSimulator& joint,
   return bounded;
 }
 
-double Cause::spreadAt(double x) const { return free[0].unit.empty() ? spread * (1 + x) : spread; }
+double Cause::spreadAt(double x) const {
+  if (place) return kZeroSpread;
+  return free[0].unit.empty() ? spread * (1 + x) : spread;
+}
 
 EffectSetting settingOf(const Cause& cause, const std::vector<double>& numbers) {
   NAO_CHECK(numbers.size() == cause.free.size());

@@ -35,6 +35,7 @@ class JointData {
   /// The part of it that all repeats share: a model that is off by a tenth of an encoder's count
   /// still predicts every tenth sample a count wrong [rad]; 0 for currents.
   const Eigen::VectorXd& rounding() const { return rounding_; }
+  double quantum() const { return quantum_; }  // [rad] of the encoder, 0: none
   bool hasRepeats() const { return has_repeats_; }
 
   /// The runs of every motion, one matrix per span, as a stacked vector.

@@ -17,6 +17,7 @@ constexpr double kNormal90 = 1.645;          // [SD] its half, of a normal distr
 // How well a fitted noise is known: null sets draw theirs from what the fit says. Hidden nulls left
 // 0.6 to 1.09 of the noise floor (60 joints), laws without a name 5 and more.
 constexpr double kNoiseKnown = 1.1;
+constexpr int kHarmonics = 3;  // of a sawtooth: 5 % short of its square
 constexpr double kTold = 0.2;  // of a small difference's variance that data must take away
 
 // What the numbers of the model would have come out as in each null set: one Gauss-Newton step
@@ -44,6 +45,33 @@ void addDisagreement(const JointData& data, const Stage& stage, const ModelFit& 
   for (Eigen::Index n = 0; n < moves.rows(); ++n) {
     for (Eigen::Index i = 0; i < moves.cols(); ++i) {
       moves(n, i) += std::sqrt(variance[i]) * random.normal();
+    }
+  }
+}
+
+// A joint that rests reads one count all along, at a stop in motion after motion: rounding is one
+// error there, not one per sample. Where between two counts it rests nobody knows, nor where a
+// model does that reads the same: of both sawteeth, smeared by how the joint shakes, the phase is
+// drawn.
+void addRounding(const JointData& data, const Stage& stage, const ModelFit& fit,
+                 Eigen::MatrixXd& moves) {
+  if (data.quantum() <= 0) return;
+  const Eigen::ArrayXd count = stage.predicted().array() / data.quantum();
+  const Eigen::ArrayXd shake = stage.scatter().array() / data.quantum();
+  const Eigen::ArrayXd angle = (data.rounding().array() > 0).cast<double>();
+  const SlopeSteps steps = stepsOf(fit, stage);
+  for (int k = 1; k <= kHarmonics; ++k) {
+    const double turn = 2 * M_PI * k;
+    const Eigen::ArrayXd most = angle * data.quantum() / (M_PI * k) *
+                                (-turn * turn / 2 * (shake.square() - 1.0 / 12).max(0)).exp();
+    const Eigen::VectorXd sine = steps(stage.whitenFit((most * (turn * count).sin()).matrix()));
+    const Eigen::VectorXd cosine = steps(stage.whitenFit((most * (turn * count).cos()).matrix()));
+    Random random(1, "where between two counts");  // of every harmonic the same
+    for (Eigen::Index n = 0; n < moves.rows(); ++n) {
+      const double measured = turn * random.uniform(), model = turn * random.uniform();
+      moves.row(n) += ((std::cos(measured) - std::cos(model)) * sine +
+                       (std::sin(measured) - std::sin(model)) * cosine)
+                          .transpose();
     }
   }
 }
@@ -95,6 +123,7 @@ void JointSearch::describe(JointVerdict& verdict) {
     // What has no name pulls at the numbers as noise of its size would.
     moves *= std::max(1.0, misfit(*stage_, left_));
     addDisagreement(data_, *stage_, fit_, left_, moves);
+    addRounding(data_, *stage_, fit_, moves);
   }
   addSpread(causes_, fit_.model, moves);
   Eigen::Index column = 0;

@@ -200,7 +200,8 @@ void Stage::addModel(std::vector<Eigen::VectorXd>& columns) const {
   Eigen::Index column = 0;
   for (const Chosen& one : model_) {
     const Cause& what = causes_[one.cause];
-    if (what.spread > 0) columns.push_back(jacobian_.col(column) * what.spreadAt(one.x[0]));
+    const double spread = what.spreadAt(one.x[0]);
+    if (spread > 0) columns.push_back(jacobian_.col(column) * spread);
     column += static_cast<Eigen::Index>(what.free.size());
   }
 }
@@ -233,6 +234,18 @@ void Stage::simulateNulls(const std::string& joint) {
     }
     nulls_.push_back(std::move(residual));
   }
+}
+
+Eigen::VectorXd Stage::scatter() const {
+  Eigen::VectorXd all(data_.size());
+  for (std::size_t i = 0; i < data_.spans().size(); ++i) {
+    const MotionSpan& span = data_.spans()[i];
+    const Eigen::MatrixXd& runs = pool_.runs[i];
+    const auto degrees = static_cast<double>(std::max<Eigen::Index>(1, runs.cols() - 1));
+    const Eigen::MatrixXd beside = runs.colwise() - pool_.mean.segment(span.offset, span.size());
+    all.segment(span.offset, span.size()) = (beside.rowwise().squaredNorm() / degrees).cwiseSqrt();
+  }
+  return all;
 }
 
 Eigen::VectorXd Stage::whitenFit(const Eigen::VectorXd& raw) const {

@@ -66,6 +66,9 @@ class Stage {
   const std::vector<std::size_t>& unseen() const { return unseen_; }
   /// Measured minus predicted mean, as measured.
   const Eigen::VectorXd& raw() const { return raw_; }
+  /// The mean of the model's runs, and the SD of a single one.
+  const Eigen::VectorXd& predicted() const { return pool_.mean; }
+  Eigen::VectorXd scatter() const;
   /// The prediction of the model by Effort::look_runs runs, to subtract from others of as many.
   const Halves& quickBase() const { return quick_base_; }
   /// The same by rough runs.

@@ -151,6 +151,31 @@ TEST(JointSearch, IntervalsAllowForWhatRemains) {
   }
 }
 
+// At a stop every sample is off by the same part of a count, and by the same zero of the encoder:
+// 70 of them tell no more than one. By noise alone a stop is told to 0.3 mrad, and
+// 3 of 10 intervals hold it where zeros are right.
+TEST(JointSearch, IntervalsOfAStopAllowForWhatItsEncoderReads) {
+  std::vector<Cause> causes = test::toyCauses();
+  for (const Cause& cause : jointCauses()) {
+    if (cause.id == "joint_stop.lower") causes.push_back(cause);
+  }
+  constexpr int kPlaces = 10;  // within two counts, zeros within 0.1 degrees
+  int held = 0;
+  for (int place = 0; place < kPlaces; ++place) {
+    const double moved = 0.72 + place * ToyLaws().quantum / 5;
+    ToyLaws laws;
+    laws.stop += moved;
+    laws.zero = (place * 3 % kPlaces - 4.5) / 4.5 * 0.1 * M_PI / 180;
+    const JointVerdict verdict = diagnose(laws, causes);
+    ASSERT_EQ(verdict.named().size(), 1u) << moved;
+    ASSERT_EQ(verdict.findings[0].cause, "joint_stop.lower");
+    const FoundNumber& lower = verdict.findings[0].numbers[0];
+    held += lower.low <= moved && moved <= lower.high;
+    EXPECT_LT(lower.high - lower.low, 4 * laws.quantum);
+  }
+  EXPECT_GE(held, 8) << "of " << kPlaces;
+}
+
 TEST(JointSearch, AdjustsNothingBesideWhatHasNoName) {
   EXPECT_TRUE(diagnose(deadServo(), without({"servo_deadband"})).adjustments.empty());
 }

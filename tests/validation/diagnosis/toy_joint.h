@@ -23,6 +23,7 @@ struct ToyLaws {
   double coulomb = 0.08, viscous = 0.03, stribeck = 0, stribeck_speed = 0.1, load = 0;
   double asymmetry = 0, deadband = 0, play = 0, zero = 0, drop = 0, bias = 0;
   double latency = 0.01, hold = 0, filter = 0, rate = 1e9, sensor_delay = 0.005, quantum = 0.0015;
+  double stop = -0.9;  // [rad] where it gets no lower
   // No cause of the catalogue below:
   double cogging = 0, cogs = 18, drag = 0, spring = 0, hum = 0;  // [N m], [1/rad], ...
   double step = 0.002;                                           // [s]
@@ -46,6 +47,7 @@ inline void ToyLaws::set(const std::string& effect, const std::map<std::string, 
   if (effect == "motor_inertia") rotor *= 1 + at("part");
   if (effect == "backlash") play += at("width");
   if (effect == "encoder_offset") zero += at("angle");
+  if (effect == "joint_stop") stop += at("lower");
   if (effect == "link_mass") mass *= 1 + at("part");
   if (effect == "gravity_scale") gravity *= at("scale");
   if (effect == "ground_tilt") tilt += at("y");
@@ -153,6 +155,7 @@ class ToyRun {
     u -= std::clamp(u, -h * budget / inertia, h * budget / inertia);
     u_ = u;
     q_ += h * u_;
+    if (q_ < laws_.stop) q_ = laws_.stop, u_ = 0;
     t_ += h;
     if (keep_ > 0) {
       torque_ =
