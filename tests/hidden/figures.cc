@@ -32,7 +32,7 @@ double quantileOf(std::vector<double> values, double q) {
 }
 
 struct Lists {
-  std::vector<double> set_sizes, errors, removed;
+  std::vector<double> set_sizes, errors, own_law_errors, removed;
 };
 
 Json parse(const std::string& line) {
@@ -45,10 +45,15 @@ Json parse(const std::string& line) {
 
 void addNumbers(const Json& line, Figures& f, Lists& lists) {
   for (const Json& number : line.at("score").at("numbers")) {
+    const bool own_law = number.value("own_law", false);
     lists.errors.push_back(number.at("error"));
+    if (own_law) lists.own_law_errors.push_back(number.at("error"));
     if (!number.at("interval").get<bool>()) continue;
+    const bool covered = number.at("covered").get<bool>();
     ++f.intervals;
-    f.intervals_covering += number.at("covered").get<bool>();
+    f.intervals_covering += covered;
+    f.own_law_intervals += own_law;
+    f.own_law_intervals_covering += own_law && covered;
   }
 }
 
@@ -226,6 +231,8 @@ Figures figuresOf(const std::vector<std::string>& lines) {
   }
   figures.parameter_error_median = quantileOf(lists.errors, 0.5);
   figures.parameter_error_p90 = quantileOf(lists.errors, 0.9);
+  figures.own_law_parameter_error_median = quantileOf(lists.own_law_errors, 0.5);
+  figures.own_law_parameter_error_p90 = quantileOf(lists.own_law_errors, 0.9);
   figures.excess_error_removed_median = quantileOf(lists.removed, 0.5);
   return figures;
 }
@@ -260,6 +267,10 @@ std::string toText(const Figures& f) {
   text += row("parameter error, median", 100 * f.parameter_error_median, "%");
   text += row("parameter error, 90th percentile", 100 * f.parameter_error_p90, "%");
   text += row("90 % intervals: covering", {f.intervals_covering, f.intervals});
+  text += row("of the catalogue's own laws: error, median", 100 * f.own_law_parameter_error_median,
+              "%");
+  text += row("  90th percentile", 100 * f.own_law_parameter_error_p90, "%");
+  text += row("  intervals covering", {f.own_law_intervals_covering, f.own_law_intervals});
   text += row("excess test error removed, median", 100 * f.excess_error_removed_median, "%");
   text += row("test RMSE within 1.3 times the floor", {f.within_1_3_floor, f.gains});
   text += row("  of nulls, by the nominal model", {f.nulls_within_1_3_floor, f.null_gains});
@@ -315,6 +326,10 @@ std::string toJson(const Figures& f, const std::string& preset, double wall) {
                      {"parameter_error_p90", f.parameter_error_p90},
                      {"intervals", f.intervals},
                      {"intervals_covering", f.intervals_covering},
+                     {"own_law_parameter_error_median", f.own_law_parameter_error_median},
+                     {"own_law_parameter_error_p90", f.own_law_parameter_error_p90},
+                     {"own_law_intervals", f.own_law_intervals},
+                     {"own_law_intervals_covering", f.own_law_intervals_covering},
                      {"excess_error_removed_median", f.excess_error_removed_median},
                      {"within_1_3_floor_fraction", within.value()},
                      {"skipped", f.skipped},

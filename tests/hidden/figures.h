@@ -38,9 +38,11 @@ struct Figures {
   int mujoco_nulls = 0, mujoco_null_false_alarms = 0;
   int diagnoses = 0, skipped = 0, failed = 0, unfinished = 0;
   int intervals = 0, intervals_covering = 0;
+  int own_law_intervals = 0, own_law_intervals_covering = 0;  // of numbers that mean just the same
   int gains = 0, within_1_3_floor = 0;
   int null_gains = 0, nulls_within_1_3_floor = 0;  // what chance leaves of a right model
   double set_size_mean = 0, parameter_error_median = 0, parameter_error_p90 = 0,
+         own_law_parameter_error_median = 0, own_law_parameter_error_p90 = 0,
          excess_error_removed_median = 0;
   double wall = 0, cpu = 0;                    // [s] of all diagnoses
   std::map<std::string, LevelFigures> levels;  // "joint", "limb", "robot"

@@ -55,5 +55,21 @@ TEST(Figures, OfNullsTellHowNearARightModelComes) {
   EXPECT_EQ(figures.gains, 0);
 }
 
+// A number of a law of another form is not quite the catalogue's number.
+TEST(Figures, NumbersOfTheCataloguesOwnLawsCountApartToo) {
+  std::string text = line("single", "joint", R"("false_alarm":true)");
+  const std::string none = R"("numbers":[])";
+  text.replace(text.find(none), none.size(),
+               R"("numbers":[{"error":0.3,"interval":true,"covered":false,"own_law":false},)"
+               R"({"error":0.01,"interval":true,"covered":true,"own_law":true}])");
+  const Figures figures = figuresOf({text});
+  EXPECT_EQ(figures.intervals, 2);
+  EXPECT_EQ(figures.intervals_covering, 1);
+  EXPECT_EQ(figures.own_law_intervals, 1);
+  EXPECT_EQ(figures.own_law_intervals_covering, 1);
+  EXPECT_DOUBLE_EQ(figures.own_law_parameter_error_median, 0.01);
+  EXPECT_DOUBLE_EQ(figures.parameter_error_median, 0.155);
+}
+
 }  // namespace
 }  // namespace nao::hidden

@@ -123,6 +123,7 @@ void scoreNumbers(const Truth& truth, const GivenReport& report, Score& score) {
       number.has_interval = given.high > given.low;
       number.covered = hidden.deviation >= given.low && hidden.deviation <= given.high;
       if (hidden.inverse) number.has_interval = false;
+      number.own_law = hidden.law.rfind("hidden_", 0) != 0;
       score.numbers.push_back(number);
       break;
     }

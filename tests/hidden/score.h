@@ -32,6 +32,7 @@ struct Score {
   struct Number {
     double error = 0;  // relative to the hidden deviation
     bool has_interval = false, covered = false;
+    bool own_law = true;  // hidden by the catalogue's law, not by one of another form
   };
   std::vector<Number> numbers;
 };

@@ -138,6 +138,7 @@ TEST(Score, ErrorsAreRelativeToTheHiddenDeviation) {
   ASSERT_EQ(found.numbers.size(), 1u);
   EXPECT_NEAR(found.numbers[0].error, 0.05, 1e-12);
   EXPECT_TRUE(found.numbers[0].covered);
+  EXPECT_TRUE(found.numbers[0].own_law);
 }
 
 // A report whose statements say of what kind they are.

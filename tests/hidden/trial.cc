@@ -72,8 +72,10 @@ Ended runIn(const std::string& folder, const std::vector<std::string>& words,
 Json toJson(const Score& score) {
   Json numbers = Json::array();
   for (const Score::Number& number : score.numbers) {
-    numbers.push_back(
-        {{"error", number.error}, {"interval", number.has_interval}, {"covered", number.covered}});
+    numbers.push_back({{"error", number.error},
+                       {"interval", number.has_interval},
+                       {"covered", number.covered},
+                       {"own_law", number.own_law}});
   }
   return {{"false_alarm", score.false_alarm},
           {"said_unknown", score.said_unknown},

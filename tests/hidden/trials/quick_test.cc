@@ -1,7 +1,8 @@
 // The preset "quick" as a test: counts that a change of the diagnosis must not make worse. Seeds
-// are fixed; sets are recorded from limbs alone. Weak effects, pairs, strangers and the sets
-// of limbs and of robots on their feet are left to `usarnaoqi bench diagnosis`: a single one can
-// take minutes.
+// are fixed; sets are recorded from limbs alone, those in which something is hidden from heads and
+// arms, which take a third of a leg's time: the thesis' cases have legs and whole robots. Weak
+// effects, pairs, strangers and the sets of limbs and of robots on their feet are left to
+// `usarnaoqi bench diagnosis`: a single one can take minutes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,6 +25,18 @@ struct Trials {
   std::string wrong;
 };
 
+// What is hidden in one joint moves to one that is quickly simulated.
+void lighten(HiddenCase& hidden, std::size_t which) {
+  static const std::vector<std::string> kLight{"HeadYaw", "LElbowRoll", "RElbowYaw", "HeadPitch",
+                                               "LShoulderPitch"};
+  if (hidden.wishes.empty() || hidden.joints.size() > 1) return;
+  hidden.joints = {kLight[which % kLight.size()]};
+  hidden.other_places.clear();
+  for (std::size_t i = 1; i < kLight.size(); ++i) {
+    hidden.other_places.push_back(kLight[(which + i) % kLight.size()]);
+  }
+}
+
 // Two at a time, whoever is free takes the next: a child diagnoses each, and CI has two cores.
 Trials tryCases(const std::function<bool(const HiddenCase&)>& chosen) {
   const TemporaryFolder folder;
@@ -39,6 +52,7 @@ Trials tryCases(const std::function<bool(const HiddenCase&)>& chosen) {
   const auto work = [&] {
     for (std::size_t i = next++; i < cases.size(); i = next++) {
       cases[i].limbs = true;
+      lighten(cases[i], i);
       lines[i] = runTrial(cases[i], place);
     }
   };
