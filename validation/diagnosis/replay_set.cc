@@ -80,12 +80,11 @@ Report replayWholeSet(const LogSet& set, std::shared_ptr<const RobotModel> model
   Report report;
   report.command = "replay";
   report.robot = model->name;
-  const WholeOptions whole;
-  const WholeSimulator simulator(set, std::move(model), whole);
+  const WholeSimulator simulator(set, std::move(model));
   const WholeReplay replay =
       replayWhole(simulator, {}, runsOfEach(simulator, options.runs), options.jobs);
   report.runs = replay.runs;
-  report.step_s = toSeconds(whole.step);
+  report.step_s = toSeconds(simulator.step());
   TextTable table{
       "Measured against simulated: mean of repeats, and their spread",
       {"joint", "error [mrad]", "floor", "misfit", "unexplained [%]", "SD real", "SD nominal"},

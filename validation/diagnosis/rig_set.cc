@@ -61,11 +61,7 @@ void RigSet::findJoints() {
 
 // Where joints rest that were neither moved nor written.
 std::optional<JointArray<double>> RigSet::poseOf(const GriddedMotion& motion) const {
-  if (motion.start_pose == kStandardRestPose) return standardRest(*model_);
-  const bool named = !motion.start_pose.empty();
-  const Posture* posture = model_->findPosture(named ? motion.start_pose : model_->start_posture);
-  if (posture == nullptr) return std::nullopt;
-  return posture->angle;
+  return startPose(*model_, motion.start_pose);
 }
 
 MeasuredMotion RigSet::meanOf(const GriddedMotion& motion) const {

@@ -61,11 +61,13 @@ WholePool WholeData::simulate(const std::vector<EffectSetting>& causes, int per_
                               std::size_t most, bool fit_only, std::uint64_t streams, double noise,
                               int jobs) const {
   const std::vector<Order> orders = ordersFor(per_run, most, fit_only, streams);
+  std::vector<EffectSetting> acting = given_;
+  acting.insert(acting.end(), causes.begin(), causes.end());
   used_ += static_cast<long>(orders.size());
   std::vector<Eigen::VectorXd> features(orders.size());
   std::vector<char> fell(orders.size(), 0);
   inParallel(orders.size(), jobs, [&](std::size_t i) {
-    const WholeRun run = simulator_.simulate(causes, orders[i].run, orders[i].stream, noise);
+    const WholeRun run = simulator_.simulate(acting, orders[i].run, orders[i].stream, noise);
     features[i] = spaces_[block_of_[orders[i].run]].of(run);
     fell[i] = run.fell;
   });

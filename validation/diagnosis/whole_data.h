@@ -30,6 +30,9 @@ class WholeData {
   std::size_t joints() const { return joints_; }  // whose angles are the first groups of a space
   const Eigen::VectorXd& measured(std::size_t run) const { return measured_[run]; }
 
+  /// Effects that act in every run simulated from now on, whatever else is tried.
+  void give(std::vector<EffectSetting> effects) { given_ = std::move(effects); }
+
   /// Runs simulated so far.
   long used() const { return used_; }
 
@@ -51,6 +54,7 @@ class WholeData {
                                std::uint64_t streams) const;
 
   const WholeSimulator& simulator_;
+  std::vector<EffectSetting> given_;
   mutable std::atomic<long> used_{0};
   std::vector<FeatureSpace> spaces_;
   std::vector<Eigen::Index> offsets_;

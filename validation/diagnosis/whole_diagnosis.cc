@@ -49,16 +49,42 @@ class RobotCase {
       listGait();
       return;
     }
-    const auto limbs = limbsOf(simulator_.model(), simulator_.joints());
-    for (const std::string& limb : limbs) {
-      const std::vector<Joint> joints = jointsOf(simulator_.model(), limb, simulator_.judged());
-      const WholeData part(simulator_, joints, false);
-      search(part, limbCauses(simulator_.model(), limb, simulator_.joints()), limb, joints,
-             false_alarms / static_cast<double>(limbs.size()));
-    }
+    searchLimbs(false_alarms);
   }
 
  private:
+  // A motor that two legs share belongs to both, and the ground joins them: the limb with most to
+  // explain comes first, and what is found in it acts when the others are searched.
+  void searchLimbs(double false_alarms) {
+    struct Part {
+      std::string limb;
+      std::vector<Joint> joints;
+      std::unique_ptr<WholeData> data;
+      double off = 0;
+    };
+    std::vector<Part> parts;
+    for (const std::string& limb : limbsOf(simulator_.model(), simulator_.joints())) {
+      const std::vector<Joint> joints = jointsOf(simulator_.model(), limb, simulator_.judged());
+      parts.push_back({limb, joints, std::make_unique<WholeData>(simulator_, joints, false), 0});
+      parts.back().off = calcOff(*parts.back().data);
+    }
+    std::stable_sort(parts.begin(), parts.end(),
+                     [](const Part& a, const Part& b) { return a.off > b.off; });
+    for (const Part& part : parts) {
+      part.data->give(found_);
+      search(*part.data, limbCauses(simulator_.model(), part.limb, simulator_.joints()), part.limb,
+             part.joints, false_alarms / static_cast<double>(parts.size()));
+    }
+  }
+
+  // Square of measured minus simulated means [rad^2].
+  double calcOff(const WholeData& data) const {
+    std::vector<Eigen::VectorXd> runs;
+    for (std::size_t run = 0; run < data.runs(); ++run) runs.push_back(data.measured(run));
+    const WholePool pool = data.simulate({}, 1, 1000000, false, 1, spread_.noise, options_.jobs);
+    return (data.stackMeans(runs) - data.stackMeans(meansOf(pool))).squaredNorm();
+  }
+
   bool isJudged(Joint joint) const {
     const std::vector<Joint> judged = simulator_.judged();
     return std::find(judged.begin(), judged.end(), joint) != judged.end();

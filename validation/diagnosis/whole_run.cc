@@ -5,6 +5,7 @@
 
 #include "core/check.h"
 #include "validation/log/series.h"
+#include "validation/log/standard_motions.h"
 
 namespace nao::validation {
 namespace {
@@ -112,10 +113,9 @@ WholeRun wholeRunOf(const LogRun& run, const LogSet& set, const RobotModel& mode
   whole.command.resize(rows, joints);
   whole.angle = Eigen::MatrixXd::Zero(rows, joints);
   whole.stiffness = Eigen::MatrixXd::Ones(rows, joints);
-  const Posture* start =
-      model.findPosture(run.start_pose.empty() ? model.start_posture : run.start_pose);
+  const auto start = startPose(model, run.start_pose);
   for (Eigen::Index j = 0; j < joints; ++j) {
-    whole.command.col(j).setConstant(start ? start->angle[static_cast<std::size_t>(j)] : 0);
+    whole.command.col(j).setConstant(start ? (*start)[static_cast<std::size_t>(j)] : 0);
   }
   for (const LogJoint& joint : set.joints) {
     const auto found = model.findJoint(joint.name);

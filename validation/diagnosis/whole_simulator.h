@@ -22,7 +22,7 @@ struct WholeBlock {
 };
 
 struct WholeOptions {
-  Duration step = std::chrono::milliseconds(2);
+  Duration step{};      // 0: 1 ms for a robot that hangs, 2 ms for one on its feet
   double settle = 2.5;  // [s] held in the first pose before a run: the torso's angle settles in 1 s
   const sim::EffectCatalogue* catalogue = nullptr;       // null: standardEffects()
   std::vector<Split> splits{Split::Fit, Split::Select};  // whose runs are replayed
@@ -39,6 +39,7 @@ class WholeSimulator {
                  const WholeOptions& options = {});
 
   const RobotModel& model() const { return *model_; }
+  Duration step() const { return options_.step; }
   const std::vector<WholeRun>& measured() const { return measured_; }
   /// In the order of WholeOptions::splits.
   const std::vector<WholeBlock>& blocks() const { return blocks_; }

@@ -152,4 +152,11 @@ JointArray<double> standardRest(const RobotModel& model) {
   return spread(model, JointArray<double>(model.jointCount(), 0));
 }
 
+std::optional<JointArray<double>> startPose(const RobotModel& model, const std::string& name) {
+  if (name == kStandardRestPose) return standardRest(model);
+  const Posture* posture = model.findPosture(name.empty() ? model.start_posture : name);
+  if (posture == nullptr) return std::nullopt;
+  return posture->angle;
+}
+
 }  // namespace nao::validation

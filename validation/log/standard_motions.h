@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,5 +39,9 @@ JointArray<double> standardAngles(const RobotModel& model, std::size_t motion, d
 /// The pose in which every motion begins and ends, and what a run's `start_pose` says of it.
 inline constexpr const char* kStandardRestPose = "rest of the standard motions";
 JointArray<double> standardRest(const RobotModel& model);
+
+/// What a run's `start_pose` means for this robot [rad]: the above, or a posture of its file
+/// (empty: the one that it starts in). Nothing if it has no posture of that name.
+std::optional<JointArray<double>> startPose(const RobotModel& model, const std::string& name);
 
 }  // namespace nao::validation

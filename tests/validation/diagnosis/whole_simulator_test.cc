@@ -7,6 +7,7 @@
 #include "validation/diagnosis/gait_numbers.h"
 #include "validation/diagnosis/whole_features.h"
 #include "validation/log/floor_recording.h"
+#include "validation/log/standard_motions.h"
 
 namespace nao::validation {
 namespace {
@@ -128,6 +129,21 @@ TEST(WholeFeatures, GoAheadAddsUpInTheRobotsOwnFrame) {
   }
   EXPECT_NEAR(ahead, numberOf(simulator.measured()[0], "ahead_m"), 0.02);
   EXPECT_GE(numberOf(simulator.measured()[0], "steps"), 3);
+}
+
+TEST(WholeSimulator, JointsThatNobodyMeasuredRestWhereTheMotionsOfTheRecordingBegin) {
+  const auto robot = test::robot("nao_h21_v33");
+  LogSet set;
+  set.joints.resize(1);
+  set.joints[0].name = "HeadYaw";
+  LogRun run;
+  run.t = {0, 0.01, 0.02};
+  run.start_pose = kStandardRestPose;
+  const WholeRun whole = wholeRunOf(run, set, *robot);
+  const JointArray<double> rest = standardRest(*robot);
+  const Joint roll = *robot->findJoint("RShoulderRoll");
+  ASSERT_GT(std::abs(rest[roll]), 0.1);
+  EXPECT_EQ(whole.command(2, static_cast<Eigen::Index>(index(roll))), rest[roll]);
 }
 
 }  // namespace
