@@ -59,17 +59,12 @@ void RigSet::findJoints() {
   }
 }
 
-// Where joints rest that were neither moved nor written.
-std::optional<JointArray<double>> RigSet::poseOf(const GriddedMotion& motion) const {
-  return startPose(*model_, motion.start_pose);
-}
-
 MeasuredMotion RigSet::meanOf(const GriddedMotion& motion) const {
   const auto rows = static_cast<Eigen::Index>(motion.rows);
   const auto joints = static_cast<Eigen::Index>(model_->jointCount());
   MeasuredMotion mean{motion.dt, Eigen::MatrixXd::Zero(rows, joints),
                       std::vector<bool>(model_->jointCount(), false)};
-  const std::optional<JointArray<double>> pose = poseOf(motion);
+  const auto pose = startPose(*model_, motion.start_pose);  // of what was neither moved nor written
   for (Eigen::Index j = 0; j < joints; ++j) {
     const Joint joint = toJoint(static_cast<std::size_t>(j));
     std::vector<Eigen::VectorXd> runs;
@@ -81,9 +76,7 @@ MeasuredMotion RigSet::meanOf(const GriddedMotion& motion) const {
     }
     if (runs.empty()) {
       if (!pose && !model_->actuators[index(joint)].coordinates.empty()) {
-        throw InputError("start_pose of " + motion.motion + ": expected a posture of " +
-                         model_->name + " or '" + kStandardRestPose + "', found '" +
-                         motion.start_pose + "'");
+        rejectStartPose(*model_, motion.motion, motion.start_pose);
       }
       mean.assumed[index(joint)] = true;
       if (pose) mean.angle.col(j).setConstant((*pose)[joint]);

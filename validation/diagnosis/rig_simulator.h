@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,7 +53,6 @@ class RigSet {
  private:
   void choosePace(double dt);
   void findJoints();
-  std::optional<JointArray<double>> poseOf(const GriddedMotion& motion) const;
   MeasuredMotion meanOf(const GriddedMotion& motion) const;
 
   std::shared_ptr<RobotModel> model_;  // its cycle is a row

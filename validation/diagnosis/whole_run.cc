@@ -93,6 +93,22 @@ void readJoint(const Reader& reader, const LogJoint& joint, Eigen::Index j, Whol
   }
 }
 
+// Joints of which the set says nothing stay in the run's start pose; those of a robot without
+// postures at 0.
+void rest(const LogRun& run, const LogSet& set, const RobotModel& model, WholeRun& whole) {
+  const auto start = startPose(model, run.start_pose);
+  for (std::size_t j = 0; j < model.jointCount(); ++j) {
+    const bool told = std::any_of(set.joints.begin(), set.joints.end(), [&](const LogJoint& joint) {
+      return model.findJoint(joint.name) == toJoint(j);
+    });
+    const bool rests = !told && !model.actuators[j].coordinates.empty();
+    if (rests && !start && !run.start_pose.empty()) {
+      rejectStartPose(model, run.file, run.start_pose);
+    }
+    whole.command.col(static_cast<Eigen::Index>(j)).setConstant(start ? (*start)[j] : 0);
+  }
+}
+
 }  // namespace
 
 Eigen::MatrixXd fromFirstRow(const Eigen::MatrixXd& place) {
@@ -113,10 +129,7 @@ WholeRun wholeRunOf(const LogRun& run, const LogSet& set, const RobotModel& mode
   whole.command.resize(rows, joints);
   whole.angle = Eigen::MatrixXd::Zero(rows, joints);
   whole.stiffness = Eigen::MatrixXd::Ones(rows, joints);
-  const auto start = startPose(model, run.start_pose);
-  for (Eigen::Index j = 0; j < joints; ++j) {
-    whole.command.col(j).setConstant(start ? (*start)[static_cast<std::size_t>(j)] : 0);
-  }
+  rest(run, set, model, whole);
   for (const LogJoint& joint : set.joints) {
     const auto found = model.findJoint(joint.name);
     if (!found) {

@@ -16,7 +16,7 @@ namespace nao::validation {
 namespace {
 
 // Steps are implicit Euler's, off by as much as they are long. A swinging leg by 2 ms is off by
-// more than its noise from one by 0.25 ms, or from a real one: its misfit is 3, at 1 ms 1.1.
+// more than its noise from one by 0.25 ms: its misfit is 3, at 1 ms 1.1.
 constexpr Duration kHungStep = std::chrono::milliseconds(1);
 constexpr Duration kFloorStep = std::chrono::milliseconds(2);
 

@@ -159,4 +159,9 @@ std::optional<JointArray<double>> startPose(const RobotModel& model, const std::
   return posture->angle;
 }
 
+void rejectStartPose(const RobotModel& model, const std::string& where, const std::string& name) {
+  throw InputError("start_pose of " + where + ": expected a posture of " + model.name + " or '" +
+                   kStandardRestPose + "', found '" + name + "'");
+}
+
 }  // namespace nao::validation

@@ -44,4 +44,8 @@ JointArray<double> standardRest(const RobotModel& model);
 /// (empty: the one that it starts in). Nothing if it has no posture of that name.
 std::optional<JointArray<double>> startPose(const RobotModel& model, const std::string& name);
 
+/// For joints that nobody measured where there is none: `where` has that name. @throws InputError
+[[noreturn]] void rejectStartPose(const RobotModel& model, const std::string& where,
+                                  const std::string& name);
+
 }  // namespace nao::validation

@@ -146,5 +146,21 @@ TEST(WholeSimulator, JointsThatNobodyMeasuredRestWhereTheMotionsOfTheRecordingBe
   EXPECT_EQ(whole.command(2, static_cast<Eigen::Index>(index(roll))), rest[roll]);
 }
 
+TEST(WholeSimulator, APoseThatNobodyKnowsIsToldByItsRun) {
+  LogSet set;
+  LogRun run;
+  run.file = "run_squat_0.csv";
+  run.t = {0, 0.01, 0.02};
+  run.start_pose = "Handstand";
+  try {
+    wholeRunOf(run, set, *test::robot("nao_h21_v33"));
+    ADD_FAILURE() << "it was accepted";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "start_pose of run_squat_0.csv: expected a posture of nao_h21_v33 or 'rest of the "
+                 "standard motions', found 'Handstand'");
+  }
+}
+
 }  // namespace
 }  // namespace nao::validation
