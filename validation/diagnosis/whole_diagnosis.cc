@@ -79,10 +79,20 @@ class RobotCase {
 
   // Square of measured minus simulated means [rad^2].
   double calcOff(const WholeData& data) const {
+    return (measuredMeans(data) - simulatedMeans(data, {}, spread_.noise)).squaredNorm();
+  }
+
+  static Eigen::VectorXd measuredMeans(const WholeData& data) {
     std::vector<Eigen::VectorXd> runs;
     for (std::size_t run = 0; run < data.runs(); ++run) runs.push_back(data.measured(run));
-    const WholePool pool = data.simulate({}, 1, 1000000, false, 1, spread_.noise, options_.jobs);
-    return (data.stackMeans(runs) - data.stackMeans(meansOf(pool))).squaredNorm();
+    return data.stackMeans(runs);
+  }
+
+  Eigen::VectorXd simulatedMeans(const WholeData& data, const std::vector<EffectSetting>& effects,
+                                 double noise) const {
+    constexpr std::size_t kAll = 1000000;
+    return data.stackMeans(
+        meansOf(data.simulate(effects, 1, kAll, false, 1, noise, options_.jobs)));
   }
 
   bool isJudged(Joint joint) const {
@@ -216,14 +226,10 @@ class RobotCase {
   // Of the joint and the motion in which the nominal model is furthest off.
   void addCourse(const WholeData& data, const std::vector<EffectSetting>& found,
                  const std::string& whole) {
-    const auto means = [&](const std::vector<EffectSetting>& effects, double noise) {
-      return data.stackMeans(
-          meansOf(data.simulate(effects, 1, 1000000, false, 1, noise, options_.jobs)));
-    };
-    std::vector<Eigen::VectorXd> runs;
-    for (std::size_t run = 0; run < data.runs(); ++run) runs.push_back(data.measured(run));
-    const Eigen::VectorXd measured = data.stackMeans(runs), nominal = means({}, spread_.noise);
-    const Eigen::VectorXd extended = found.empty() ? nominal : means(found, left_noise_);
+    const Eigen::VectorXd measured = measuredMeans(data);
+    const Eigen::VectorXd nominal = simulatedMeans(data, {}, spread_.noise);
+    const Eigen::VectorXd extended =
+        found.empty() ? nominal : simulatedMeans(data, found, left_noise_);
     WholeDiagnosis::Course worst;
     double most = -1;
     for (std::size_t block = 0; block < data.spaces().size(); ++block) {
