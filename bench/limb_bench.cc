@@ -1,9 +1,10 @@
 // A run of 6 s of a limb in a World of its own at 0.25 ms, as a diagnosis makes hundreds: processor
-// time per step, with all effects of the robot and with none.
+// time per step, ideal and with dry friction and process noise.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 
+#include "core/suspend.h"
 #include "sim/hinge_run.h"
 #include "validation/suspended.h"
 
