@@ -85,7 +85,7 @@ Cause boundedAt(const Cause& cause, const JointSimulator& joint,
 }
 
 double Cause::spreadAt(double x) const {
-  if (place) return kZeroSpread;
+  if (stop) return kZeroSpread;
   return free[0].unit.empty() ? spread * (1 + x) : spread;
 }
 

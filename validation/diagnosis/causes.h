@@ -54,11 +54,11 @@ struct Cause {
   /// Undeclared spread of this number between equal robots [its unit]: what a robot's maker calls
   /// the same. Less than the smallest size of interest; 0: none is expected.
   double spread = 0;
-  /// The number is an angle at which something is met, such as a stop: encoders' zeros move it, and
-  /// how much wrong it is tells nothing of how far around it a slope holds.
-  bool place = false;
+  /// The number is where a joint is stopped: encoders' zeros move it, and how much wrong it is
+  /// tells nothing of how far around it a slope holds.
+  bool stop = false;
   /// Of the number where it is x already: a part of a nominal value is one of what the robot has,
-  /// places are spread as zeros are.
+  /// stops are spread as zeros are.
   double spreadAt(double x) const;
   bool spread_beyond = false;  // so do the joints that this one carries, and it feels them
   std::string sentence;        // for the report, "{joint}" and "{value}" filled in

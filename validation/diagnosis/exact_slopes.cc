@@ -22,8 +22,8 @@ class Slopes {
          ModelFit& fit)
       : ensemble_(ensemble), causes_(causes), runs_(runs), stage_(stage), fit_(fit) {}
 
-  void set(const FreeNumber& number, bool place, double& x, Eigen::Index column) {
-    const double part = place ? 0 : kPart * std::abs(x);
+  void set(const FreeNumber& number, bool stop, double& x, Eigen::Index column) {
+    const double part = stop ? 0 : kPart * std::abs(x);
     double width = within(number, x, std::max(number.smallest, part));
     if (width <= 0) return;
     setSlope(fit_, column, slope(x, width));
@@ -71,7 +71,7 @@ void setExactSlopes(Ensemble& ensemble, const std::vector<Cause>& causes, int ru
     const Cause& cause = causes[one.cause];
     for (std::size_t i = 0; i < one.x.size(); ++i, ++column) {
       if (i == 0 && cause.beats) continue;
-      slopes.set(cause.free[i], cause.place && i == 0, one.x[i], column);
+      slopes.set(cause.free[i], cause.stop && i == 0, one.x[i], column);
     }
   }
 }

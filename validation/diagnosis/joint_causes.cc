@@ -46,7 +46,7 @@ Cause byGrid(Cause cause) {
 // A stop: it does nothing until the motion reaches it, and a little further on it cuts off all.
 Cause reached(Cause cause, double inwards) {
   cause.linear = false;
-  cause.place = true;
+  cause.stop = true;
   for (double moved = 0.02; moved < 3; moved *= 1.12) cause.scan.push_back(inwards * moved);
   return cause;
 }
@@ -156,7 +156,7 @@ void addGear(std::vector<Cause>& all) {
                            "hold this joint's command, sweep the other"),
                       "place", {0, -0.6, 0.6})));
     all.back().coupled = true;
-    all.back().place = true;
+    all.back().stop = true;
   }
 }
 

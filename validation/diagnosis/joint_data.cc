@@ -13,13 +13,8 @@ constexpr int kSimulatedRepeats = 12;  // that stand in for repeats which were n
 constexpr double kBesides = 0.05;
 
 // [counts] RMS error of the mean of many readings of an angle that shakes by `sd` counts, over
-// where between two counts it lies: the first harmonic of rounding's sawtooth, smeared by the
-// shaking.
-double roundingOf(double sd) {
-  constexpr double kTwoPi = 2 * M_PI;
-  const double of_angle = std::max(0.0, sd * sd - 1.0 / 12);  // rounding itself shakes too
-  return std::exp(-kTwoPi * kTwoPi * of_angle / 2) / (M_PI * std::sqrt(2.0));
-}
+// where between two counts it lies, by its first harmonic.
+double roundingOf(double sd) { return roundingHarmonic(1, sd) / std::sqrt(2.0); }
 
 std::vector<Eigen::MatrixXd> simulatedRepeats(const JointSimulator& joint, std::size_t motion,
                                               const JointNoise& noise) {
@@ -31,6 +26,12 @@ std::vector<Eigen::MatrixXd> simulatedRepeats(const JointSimulator& joint, std::
 }
 
 }  // namespace
+
+double roundingHarmonic(int harmonic, double sd) {
+  const double turn = 2 * M_PI * harmonic;
+  const double of_angle = std::max(0.0, sd * sd - 1.0 / 12);  // rounding itself shakes too
+  return std::exp(-turn * turn * of_angle / 2) / (M_PI * harmonic);
+}
 
 JointData::JointData(const JointSimulator& joint, const JointNoise& noise) : joint_(joint) {
   addMotions(Split::Fit, noise);

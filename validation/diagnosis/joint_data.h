@@ -19,6 +19,10 @@ struct MotionSpan {
   Eigen::Index size() const { return rows * signals; }
 };
 
+/// [counts] Amplitude of a harmonic, 1 or more, of what rounding to counts errs by over where
+/// between two counts an angle lies: a sawtooth, smeared where readings shake by `sd` counts.
+double roundingHarmonic(int harmonic, double sd);
+
 /// What a diagnosis may see of a joint's measurements as one vector: its fit motions, then its
 /// select motions. Test motions are left out, nobody here opens them.
 class JointData {

@@ -17,7 +17,7 @@ constexpr double kNormal90 = 1.645;          // [SD] its half, of a normal distr
 // How well a fitted noise is known: null sets draw theirs from what the fit says. Hidden nulls left
 // 0.6 to 1.09 of the noise floor (60 joints), laws without a name 5 and more.
 constexpr double kNoiseKnown = 1.1;
-constexpr int kHarmonics = 3;  // of a sawtooth: 5 % short of its square
+constexpr int kHarmonics = 3;  // of a sawtooth: 83 % of its variance
 constexpr double kTold = 0.2;  // of a small difference's variance that data must take away
 
 // What the numbers of the model would have come out as in each null set: one Gauss-Newton step
@@ -58,12 +58,12 @@ void addRounding(const JointData& data, const Stage& stage, const ModelFit& fit,
   if (data.quantum() <= 0) return;
   const Eigen::ArrayXd count = stage.predicted().array() / data.quantum();
   const Eigen::ArrayXd shake = stage.scatter().array() / data.quantum();
-  const Eigen::ArrayXd angle = (data.rounding().array() > 0).cast<double>();
+  const Eigen::ArrayXd of_angle = data.quantum() * (data.rounding().array() > 0).cast<double>();
   const SlopeSteps steps = stepsOf(fit, stage);
   for (int k = 1; k <= kHarmonics; ++k) {
     const double turn = 2 * M_PI * k;
-    const Eigen::ArrayXd most = angle * data.quantum() / (M_PI * k) *
-                                (-turn * turn / 2 * (shake.square() - 1.0 / 12).max(0)).exp();
+    const Eigen::ArrayXd most =
+        of_angle * shake.unaryExpr([k](double sd) { return roundingHarmonic(k, sd); });
     const Eigen::VectorXd sine = steps(stage.whitenFit((most * (turn * count).sin()).matrix()));
     const Eigen::VectorXd cosine = steps(stage.whitenFit((most * (turn * count).cos()).matrix()));
     Random random(1, "where between two counts");  // of every harmonic the same

@@ -152,8 +152,9 @@ TEST(JointSearch, IntervalsAllowForWhatRemains) {
 }
 
 // At a stop every sample is off by the same part of a count, and by the same zero of the encoder:
-// 70 of them tell no more than one. By noise alone a stop is told to 0.3 mrad, and
-// 3 of 10 intervals hold it where zeros are right.
+// 70 of them tell no more than one. By noise alone a stop is told to 0.3 mrad, and 3 of 10
+// intervals hold it where zeros are right. Of ten intervals of 90 % eight or more hold 93 times of
+// 100; they reach no further than zero (0.2 degrees) and two roundings (two counts) do.
 TEST(JointSearch, IntervalsOfAStopAllowForWhatItsEncoderReads) {
   std::vector<Cause> causes = test::toyCauses();
   for (const Cause& cause : jointCauses()) {
@@ -171,7 +172,7 @@ TEST(JointSearch, IntervalsOfAStopAllowForWhatItsEncoderReads) {
     ASSERT_EQ(verdict.findings[0].cause, "joint_stop.lower");
     const FoundNumber& lower = verdict.findings[0].numbers[0];
     held += lower.low <= moved && moved <= lower.high;
-    EXPECT_LT(lower.high - lower.low, 4 * laws.quantum);
+    EXPECT_LT(lower.high - lower.low, 0.2 * M_PI / 180 + 2 * laws.quantum);
   }
   EXPECT_GE(held, 8) << "of " << kPlaces;
 }
