@@ -39,6 +39,9 @@ class GroundContact {
 
   void setWet(const std::vector<WetPatch>& patches) { terrain_.setWet(patches); }
 
+  /// Whether it has no point that could touch anything.
+  bool isEmpty() const { return points_.empty(); }
+
   /// Nothing touches any more.
   void reset();
   void archive(Archive& archive);

@@ -12,14 +12,15 @@ namespace {
 
 class Player {
  public:
-  Player(const RobotModel& model, const std::vector<EffectSetting>& effects, Duration step,
-         std::uint64_t seed, const EffectCatalogue& catalogue)
+  Player(const RobotModel& model, const std::vector<EffectSetting>& effects, const HingeRun& run,
+         const EffectCatalogue& catalogue)
       : model_(model),
-        step_(step),
-        effects_(catalogue, effects, model, step, seed, model.name),
+        step_(run.step),
+        effects_(catalogue, effects, model, run.step, run.seed, model.name),
         body_(planOf()),
         heat_(model) {
     frame_.angle = JointArray<double>(model.jointCount());
+    if (run.inertia_every > 1) body_.setInertiaEvery(run.inertia_every);
   }
 
   void place(const JointCommand& order) { body_.place({}, order.angle); }
@@ -95,7 +96,7 @@ HingeMotion runHinges(const RobotModel& model, const std::vector<EffectSetting>&
   const auto rows = static_cast<long>(orders.size());
   const long rest = std::lround(run.settle / toSeconds(model.cycle));
   HingeMotion motion = roomFor(model, orders.size(), run.per_cycle);
-  Player player(model, effects, run.step, run.seed, catalogue);
+  Player player(model, effects, run, catalogue);
   player.place(orders.front());
   long row = 0;  // whose orders act
   for (long step = -rest * row_steps; step <= (rows - 1) * row_steps; ++step) {

@@ -25,6 +25,9 @@ struct HingeRun {
   int per_cycle = 1;       // how often q and u are kept
   std::uint64_t seed = 1;  // of the effects' random numbers
   double late = 0;         // [s] orders act from the step nearest to this after their row
+  /// Steps from one calculation of mass matrix and bias to the next (InertiaCourse); more than one
+  /// is for a robot that can touch nothing.
+  int inertia_every = 1;
 };
 
 /// A robot with a fixed base alone in a World, its truth written down: plays `orders`, one per

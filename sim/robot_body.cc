@@ -31,6 +31,7 @@ RobotBody::RobotBody(BodyPlan plan, Mode mode)
       inertia_(dynamics_.parents()),
       system_(dynamics_.parents()),
       mobility_(dynamics_.parents()),
+      course_(inertia_),
       external_(Eigen::VectorXd::Zero(dynamics_.speedCount())) {
   dynamics_.setDamping(plan_->linear_damping, plan_->angular_damping);
   if (mode == Mode::Rk4) integrator_ = makeRk4(*plan_, dynamics_, drive_.rotorInertia());
@@ -42,7 +43,13 @@ void RobotBody::setTree(TreeState tree) {
   tree_ = std::move(tree);
   contact_.reset();
   drive_.reset(coordinates());
+  course_.reset();
   moved();
+}
+
+void RobotBody::setInertiaEvery(int steps) {
+  NAO_CHECK(dynamics_.rootSpeedCount() == 0 && contact_.isEmpty() && !integrator_);
+  course_.setEvery(steps);
 }
 
 void RobotBody::place(const Pose2& pose, const JointArray<double>& angles) {
@@ -84,8 +91,7 @@ double RobotBody::angle(Joint joint) const {
 void RobotBody::step(const JointCommand& command, const DriveTerms* terms,
                      const std::vector<ExternalForce>& external, double h) {
   if (integrator_) return stepSmoothly(command, external, h);
-  dynamics_.calcBias(plan_->gravity, bias_);
-  needInertia();
+  followInertia();
   ended(Phase::Dynamics);
   drive_.prepare(command, coordinates(), rates(), h, terms);
   stops_.prepare(coordinates(), rates(), h);
@@ -118,6 +124,14 @@ Eigen::VectorXd RobotBody::calcAcceleration(const JointCommand& command,
   Eigen::VectorXd acceleration = integrator_->calcAcceleration(smooth_, tree_);
   dynamics_.setState(tree_);
   return acceleration;
+}
+
+void RobotBody::followInertia() {
+  if (!course_.isDue()) return course_.goOn(inertia_, bias_);
+  if (course_.every() > 1) dynamics_.setState(tree_);
+  dynamics_.calcBias(plan_->gravity, bias_);
+  needInertia();
+  course_.take(inertia_, bias_);
 }
 
 void RobotBody::needInertia() {
@@ -191,7 +205,7 @@ void RobotBody::moveHands(const JointCommand& command, double h) {
 }
 
 void RobotBody::moved() {
-  dynamics_.setState(tree_);
+  if (course_.every() == 1 || !course_.isKnown()) dynamics_.setState(tree_);
   drive_.observe(coordinates(), rates());
   inertia_known_ = mobility_known_ = false;
 }

@@ -10,6 +10,7 @@
 #include "sim/external_force.h"
 #include "sim/ground_contact.h"
 #include "sim/hinge_ties.h"
+#include "sim/inertia_course.h"
 #include "sim/integrator.h"
 #include "sim/joint_stops.h"
 #include "sim/mode.h"
@@ -30,6 +31,10 @@ class RobotBody {
 
   /// From now on `watch`, which must outlive the body, is told of the phases of each step.
   void setWatch(const PhaseWatch* watch) { watch_ = watch; }
+
+  /// From now on inertia and bias are calculated every so many steps (InertiaCourse); motion() is
+  /// of the last of these. For robots with a fixed base that can touch nothing, implicit mode.
+  void setInertiaEvery(int steps);
 
   const RobotModel& model() const { return plan_->model; }
   const BodyPlan& plan() const { return *plan_; }
@@ -80,6 +85,7 @@ class RobotBody {
   void moveHands(const JointCommand& command, double h);
   void moved();
   void needInertia();
+  void followInertia();
   void needMobility();
   Eigen::Quaterniond levelSoles() const;
   const double* coordinates() const { return tree_.q.data() + dynamics_.rootPositionCount(); }
@@ -102,6 +108,7 @@ class RobotBody {
   TreeState tree_;
   JointArray<double> hands_;  // 0..1, for motors without a hinge
   TreeMatrix inertia_, system_, mobility_;
+  InertiaCourse course_;
   bool inertia_known_ = false;  // of the present tree
   bool mobility_known_ = false;
   Eigen::VectorXd bias_, external_, du_;

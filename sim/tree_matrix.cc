@@ -31,6 +31,16 @@ TreeMatrix::TreeMatrix(std::vector<int> parent)
   first_run_.push_back(static_cast<int>(runs_.size()));
 }
 
+void TreeMatrix::takeDifference(const TreeMatrix& a, const TreeMatrix& b, double scale) {
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    values_[i] = (a.values_[i] - b.values_[i]) * scale;
+  }
+}
+
+void TreeMatrix::add(const TreeMatrix& other) {
+  for (std::size_t i = 0; i < values_.size(); ++i) values_[i] += other.values_[i];
+}
+
 void TreeMatrix::addDiagonal(const Eigen::VectorXd& d) {
   for (int i = 0; i < size(); ++i) at(i, i) += d[i];
 }

@@ -29,6 +29,10 @@ class TreeMatrix {
 
   /// Takes over the entries of a matrix of the same tree.
   void takeEntries(const TreeMatrix& other) { values_ = other.values_; }
+  /// Becomes (a - b) * scale, both of the same tree.
+  void takeDifference(const TreeMatrix& a, const TreeMatrix& b, double scale);
+  /// Adds the entries of a matrix of the same tree.
+  void add(const TreeMatrix& other);
 
   /// Adds the diagonal `d`.
   void addDiagonal(const Eigen::VectorXd& d);

@@ -68,9 +68,10 @@ sim::JointLoad calcJointLoad(const RobotModel& model, const std::vector<EffectSe
                              const std::vector<JointCommand>& orders,
                              const MeasuredMotion& measured, Joint joint,
                              const LoadOptions& options, const sim::EffectCatalogue& catalogue) {
-  sim::HingeMotion motion =
-      sim::runHinges(model, effects, orders,
-                     {options.settle, options.step, options.per_row, options.seed, 0}, catalogue);
+  sim::HingeMotion motion = sim::runHinges(
+      model, effects, orders,
+      {options.settle, options.step, options.per_row, options.seed, 0, options.inertia_every},
+      catalogue);
   MatrixXd acceleration = accelerationsOf(motion);
   correct(model, measured, reportDelays(model, effects, catalogue), options, motion, acceleration);
   const sim::BodyPlan plan = planOf(model, effects, catalogue);

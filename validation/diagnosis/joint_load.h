@@ -33,6 +33,7 @@ struct LoadOptions {
   double bandwidth = kLoadBandwidth;
   std::uint64_t seed = 1;       // of random effects
   std::vector<Joint> others{};  // whose angles go along, as they limit this joint
+  int inertia_every = 1;        // steps, as in sim::HingeRun
 };
 
 /// `values`, one per row, on `per_row` values per row, linear between.

@@ -1,5 +1,7 @@
 #include "validation/diagnosis/limb.h"
 
+#include <algorithm>
+#include <chrono>
 #include <sstream>
 
 #include "validation/diagnosis/noise_fit.h"
@@ -32,6 +34,11 @@ RobotModel limbOf(const RigSet& set, Joint joint) {
 }
 
 }  // namespace
+
+int inertiaEvery(Duration step) {
+  constexpr Duration kInertiaStep = std::chrono::milliseconds(1);
+  return static_cast<int>(std::max<Duration::rep>(1, kInertiaStep / step));
+}
 
 std::string keyOf(std::size_t motion, const std::vector<EffectSetting>& effects) {
   std::ostringstream key;

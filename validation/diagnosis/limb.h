@@ -45,6 +45,10 @@ class Limb {
   Joint joint_;
 };
 
+/// How many steps of a limb go by one inertia (sim::InertiaCourse): 1 ms, by which a leg's angles
+/// are off by less than a hundredth of an encoder's count. 1 if a step is that long.
+int inertiaEvery(Duration step);
+
 /// A name that two lists of effects in one motion share only if they are the same.
 std::string keyOf(std::size_t motion, const std::vector<EffectSetting>& effects);
 

@@ -23,8 +23,13 @@ std::vector<Joint> limitersOf(const RobotModel& limb, Joint joint) {
 
 LimbLoads::LimbLoads(std::shared_ptr<const Limb> limb, Duration step, int per_row)
     : limb_(std::move(limb)),
-      options_{limb_->set().options().settle,    step, per_row,
-               limb_->set().options().bandwidth, 1,    limitersOf(limb_->model(), limb_->joint())},
+      options_{limb_->set().options().settle,
+               step,
+               per_row,
+               limb_->set().options().bandwidth,
+               1,
+               limitersOf(limb_->model(), limb_->joint()),
+               inertiaEvery(step)},
       memo_(kRemembered) {}
 
 std::vector<std::string> LimbLoads::others() const {

@@ -56,7 +56,8 @@ LimbSimulator::Orders LimbSimulator::alteredOrders(
   Orders orders = orders_[motion];
   for (int round = 0; round < kRounds; ++round) {
     const sim::HingeMotion played = sim::runHinges(
-        models_[motion], effects, orders, {options.settle, limb_->set().worldStep(), 1, 1, 0},
+        models_[motion], effects, orders,
+        {options.settle, limb_->set().worldStep(), 1, 1, 0, inertiaEvery(limb_->set().worldStep())},
         limb_->set().catalogue());
     for (const std::size_t j : seen_[motion]) {
       const auto column = static_cast<Eigen::Index>(j);
@@ -86,7 +87,8 @@ Eigen::MatrixXd LimbSimulator::run(const std::vector<EffectSetting>& causes, std
   const double settle = set.options().settle;
   const sim::HingeMotion played = sim::runHinges(
       models_[motion], effects, altered ? *altered : orders_[motion],
-      {settle, set.worldStep(), 1, seed, drawLateness(noise, stream, motion, 0.9 * settle)},
+      {settle, set.worldStep(), 1, seed, drawLateness(noise, stream, motion, 0.9 * settle),
+       inertiaEvery(set.worldStep())},
       set.catalogue());
   const auto column = static_cast<Eigen::Index>(index(limb_->joint()));
   Eigen::MatrixXd signals(played.reported.rows(), measured_[motion].repeats.front().cols());
