@@ -40,6 +40,17 @@ void startAtMeasuredQuantum(FreeNumber& number, const JointSimulator& joint) {
   if (found > number.smallest && found < number.upper) number.starts = {found};
 }
 
+// [s]
+double longestRun(const JointSimulator& joint) {
+  double longest = 0;
+  for (const JointMotion& motion : joint.measured()) {
+    for (const Eigen::MatrixXd& run : motion.repeats) {
+      longest = std::max(longest, static_cast<double>(run.rows()) * motion.dt);
+    }
+  }
+  return longest;
+}
+
 void replace(std::string& text, const std::string& key, const std::string& value) {
   const std::size_t at = text.find(key);
   if (at != std::string::npos) text.replace(at, key.size(), value);
@@ -77,6 +88,9 @@ Cause boundedAt(const Cause& cause, const JointSimulator& joint,
     }
   }
   if (cause.effect == "encoder_quantum") startAtMeasuredQuantum(bounded.free[0], joint);
+  if (cause.smallest_mean > 0) {
+    bounded.free[0].smallest = 2 * cause.smallest_mean / longestRun(joint);
+  }
   const std::string& size = bounded.free[0].parameter;
   if (isFriction(cause.effect)) {
     bounded.spread = kFrictionSpread * std::abs(joint.present(cause.effect, size));

@@ -60,6 +60,9 @@ struct Cause {
   /// Of the number where it is x already: a part of a nominal value is one of what the robot has,
   /// stops are spread as zeros are.
   double spreadAt(double x) const;
+  /// The size is a rate: of interest is what comes to this on the mean of the longest run; 0: it is
+  /// none.
+  double smallest_mean = 0;
   bool spread_beyond = false;  // so do the joints that this one carries, and it feels them
   std::string sentence;        // for the report, "{joint}" and "{value}" filled in
   std::string separate;        // the experiment that tells it from its rivals

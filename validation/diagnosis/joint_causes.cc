@@ -93,9 +93,11 @@ void addMotor(std::vector<Cause>& all) {
   all.push_back(forAll(byGrid(part("voltage_sag", "drop", {0.2, 0.45, -0.2},
                                    "the battery of {joint}'s motor is {value} below nominal",
                                    "a fast sweep without load, and the battery's voltage"))));
-  all.push_back(forAll(byGrid(part("voltage_sag", "slope", {0.03, 0.08, -0.03},
-                                   "the voltage at {joint} sinks by {value} of nominal",
-                                   "the same motion early and late in a long run"))));
+  Cause sinking = part("voltage_sag", "slope", {0.03, 0.08, -0.03},
+                       "the voltage at {joint} sinks by {value} of nominal",
+                       "the same motion early and late in a long run");
+  sinking.smallest_mean = 0.02;  // as of a drop
+  all.push_back(forAll(byGrid(sinking)));
   Cause ripple = one("cogging", "torque", {0.2}, "{joint}'s torque ripples by {value} as it turns",
                      "slow motion over all of the range, one way and back");
   std::vector<double> per_turn;  // from 12, as the effect has it

@@ -43,6 +43,18 @@ TEST(JointCauses, ShrinkWhatTheModelHasByNoMoreThanThereIs) {
   EXPECT_NEAR(friction.spread, 0.1 / std::sqrt(3.0) * test::ToyLaws{}.coulomb, 1e-12);
 }
 
+// A physics engine of another kind was told as a battery that rises by 0.5 % per second: 1.6 % on
+// the mean of six seconds, where a drop of that size would not have been named.
+TEST(JointCauses, AskAsMuchOfAVoltageThatSinksAsOfOneThatIsLow) {
+  const test::ToyJoint toy({}, 1, test::kToyNoise, 2, 1);
+  const FreeNumber drop = boundedAt(cause("voltage_sag.drop"), toy, sim::standardEffects()).free[0];
+  const FreeNumber slope =
+      boundedAt(cause("voltage_sag.slope"), toy, sim::standardEffects()).free[0];
+  const JointMotion& motion = toy.measured().front();
+  const double seconds = static_cast<double>(motion.repeats.front().rows()) * motion.dt;
+  EXPECT_NEAR(slope.smallest * seconds / 2, drop.smallest, 1e-12);
+}
+
 TEST(JointCauses, BecomeSettingsThatDoNothingElse) {
   const EffectSetting low = settingOf(cause("voltage_sag.drop"), {0.2});
   EXPECT_DOUBLE_EQ(low.parameters.at("drop"), 0.2);
