@@ -68,8 +68,7 @@ void run(const Options& options) {
   }
   const std::size_t accepted = causes.size();
   if (!options.causes_only) {
-    for (EffectSetting& one :
-         validation::reportedAdjustments(report, options.accepted.robot_id, *model)) {
+    for (EffectSetting& one : validation::reportedAdjustments(report, options.accepted, *model)) {
       causes.push_back(std::move(one));
     }
   }

@@ -56,10 +56,23 @@ GivenCause adjustmentOf(const Json& adjustment, const std::string& joint) {
   return cause;
 }
 
+bool isSmall(const Json& finding) { return finding.at("below_size_of_interest").get<bool>(); }
+
 void addCauses(const Json& findings, const std::string& joint, GivenReport& report) {
   for (const Json& finding : findings) {
-    if (finding.at("below_size_of_interest").get<bool>()) continue;
-    report.causes.push_back(causeOf(finding, joint));
+    if (!isSmall(finding)) report.causes.push_back(causeOf(finding, joint));
+  }
+}
+
+// As `extend` takes them.
+void addAdjustments(const Json& of, GivenReport& report) {
+  const std::string joint = of.at("joint"), verdict = of.at("verdict");
+  for (const Json& one : of.value("adjustments", Json::array())) {
+    report.adjustments.push_back(adjustmentOf(one, joint));
+  }
+  if (verdict == "unknown" || verdict == "partly_explained") return;
+  for (const Json& one : of.at("findings")) {
+    if (isSmall(one)) report.adjustments.push_back(adjustmentOf(one, joint));
   }
 }
 
@@ -83,9 +96,7 @@ GivenReport readReport(const std::string& text) {
         report.joints.push_back(
             {joint.at("joint"), joint.at("verdict"), joint.at("signature"), kindOf(joint)});
         addCauses(joint.at("findings"), joint.at("joint"), report);
-        for (const Json& one : joint.value("adjustments", Json::array())) {
-          report.adjustments.push_back(adjustmentOf(one, joint.at("joint")));
-        }
+        addAdjustments(joint, report);
       }
     }
     std::stable_sort(report.causes.begin(), report.causes.end(),

@@ -42,10 +42,13 @@ Hideout from(double neutral, Hideout hideout) {
   hideout.neutral = neutral;
   return hideout;
 }
+Hideout atLeast(double least, Hideout hideout) {
+  hideout.least = least;
+  return hideout;
+}
 Hideout inverse(Hideout hideout) {
   hideout.inverse = true;
-  hideout.least = 0.03;  // [s/rad] as a limit of 33 rad/s: no motor of a Nao is faster
-  return hideout;
+  return atLeast(0.03, hideout);  // [s/rad] as a limit of 33 rad/s: no motor of a Nao is faster
 }
 Hideout shaped(std::map<std::string, double> shape, Hideout hideout) {
   hideout.shape = std::move(shape);
@@ -123,7 +126,7 @@ std::vector<Hideout> catalogueHideouts() {
       own("torque_bias", "torque", -0.15, -3),
       from(1, own("torque_limit", "part", -0.4, -0.97)),
       everywhere(part("voltage_sag", "drop", 0.25, 0.85)),
-      everywhere(part("voltage_sag", "slope", 0.05, 0.1)),
+      everywhere(atLeast(0.01, part("voltage_sag", "slope", 0.05, 0.1))),  // 3 % on the mean of 6 s
       shaped({{"time", 3}}, own("thermal_derating", "part", 0.6, 1)),
       own("kp_error", "part", 0.3, 3),
       own("kp_error", "part", -0.3, -0.9),

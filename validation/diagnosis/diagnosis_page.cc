@@ -86,7 +86,7 @@ TextTable findingsOf(const JointVerdict& joint) {
     for (const Rival& rival : finding.rivals) rivals += rival.cause + " ";
     if (finding.one_motion_only) rivals += "(seen in one motion only)";
     table.lines.push_back(
-        {finding.cause + (finding.small ? " (too small to matter)" : ""), values, intervals,
+        {finding.cause + (finding.small ? " (perhaps too small to matter)" : ""), values, intervals,
          fixed(finding.gain, 0),
          std::to_string(finding.folds_better) + " of " + std::to_string(finding.folds), rivals,
          finding.rivals.empty() ? "" : finding.experiment, finding.record});

@@ -12,6 +12,7 @@
 #include "sim/effects/catalogue.h"
 #include "validation/diagnosis/merge_effects.h"
 #include "validation/diagnosis/report_file.h"
+#include "validation/diagnosis/verdict.h"
 
 namespace nao::validation {
 namespace {
@@ -129,6 +130,18 @@ std::string lineOf(const EffectSetting& setting, const RobotModel& model) {
   return line + "}\n";
 }
 
+// What was fitted beside the causes and is perhaps too small to be one; beside a remainder it would
+// stand in for what has no name.
+std::vector<Json> smallOnes(const Json& joint) {
+  const std::string verdict = joint.value("verdict", "");
+  if (verdict == wordOf(Verdict::Unknown) || verdict == wordOf(Verdict::PartlyExplained)) return {};
+  std::vector<Json> small = joint.value("adjustments", std::vector<Json>{});
+  for (const Json& finding : joint.at("findings")) {
+    if (finding.value("below_size_of_interest", false)) small.push_back(finding);
+  }
+  return small;
+}
+
 }  // namespace
 
 std::vector<EffectSetting> acceptedEffects(const std::string& report_file, const Accepted& accepted,
@@ -150,15 +163,17 @@ std::vector<EffectSetting> acceptedEffects(const std::string& report_file, const
 }
 
 std::vector<EffectSetting> reportedAdjustments(const std::string& report_file,
-                                               const std::string& robot_id,
-                                               const RobotModel& model) {
+                                               const Accepted& accepted, const RobotModel& model) {
+  const std::set<std::string> taken(accepted.causes.begin(), accepted.causes.end());
   std::vector<EffectSetting> settings;
   readReport(report_file, [&](const Json& report) {
     for (const Json& entry : report.at("joints")) {
       const ReportedPlace place(entry.at("joint"));
-      if (place.robot_id != robot_id) continue;
-      for (const Json& one : entry.value("adjustments", Json::array())) {
-        settings.push_back(settingOf(one, jointsAt(place.name, report_file, model), report_file));
+      if (place.robot_id != accepted.robot_id) continue;
+      const std::vector<Joint> joints = jointsAt(place.name, report_file, model);
+      for (const Json& one : smallOnes(entry)) {
+        if (taken.count(one.at("cause")) > 0) continue;
+        settings.push_back(settingOf(one, joints, report_file));
       }
     }
   });

@@ -20,12 +20,11 @@ struct Accepted {
 std::vector<EffectSetting> acceptedEffects(const std::string& report_file, const Accepted& accepted,
                                            const RobotModel& model);
 
-/// What the report says that this robot differs by beside them: too little to be a cause, joint by
-/// joint. `robot_id` as in Accepted.
+/// What the report says that this robot differs by beside them: perhaps too little to be a cause,
+/// place by place; without what is accepted by its id.
 /// @throws InputError as above.
 std::vector<EffectSetting> reportedAdjustments(const std::string& report_file,
-                                               const std::string& robot_id,
-                                               const RobotModel& model);
+                                               const Accepted& accepted, const RobotModel& model);
 
 /// @throws InputError unless `name` can be that of a robot that is not there yet.
 void requireNewRobot(const std::string& robots_dir, const std::string& name);

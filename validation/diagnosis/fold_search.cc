@@ -149,6 +149,8 @@ class FoldSearch {
         number.low = number.deviation + quantileOf(move, 0.05);
         number.high = number.deviation + quantileOf(move, 0.95);
       }
+      const FoundNumber& size = finding.numbers[0];
+      finding.small = mayBeSmall(size.low, size.high, causes_[one.cause].free[0].smallest);
       verdict.findings.push_back(std::move(finding));
     }
     reject(verdict);
@@ -174,7 +176,6 @@ class FoldSearch {
     finding.cause = cause.id;
     finding.effect = cause.effect;
     finding.numbers = foundNumbers(cause, one.x);
-    finding.small = std::abs(one.x[0]) < cause.free[0].smallest;
     finding.folds = static_cast<int>(folds_.size());
     const auto lost = lost_.find(one.cause);
     if (lost != lost_.end()) {

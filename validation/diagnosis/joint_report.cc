@@ -107,6 +107,10 @@ Verdict verdictOf(const JointVerdict& joint, bool remains) {
   return ambiguous ? Verdict::Ambiguous : Verdict::Named;
 }
 
+bool isSmall(const FoundNumber& size, const Cause& cause) {
+  return mayBeSmall(size.low, size.high, cause.free[0].smallest);
+}
+
 void setInterval(FoundNumber& number, const Eigen::VectorXd& moves) {
   const std::vector<double> all(moves.data(), moves.data() + moves.size());
   number.low = number.deviation - quantile(all, kHigh);
@@ -130,13 +134,14 @@ void JointSearch::describe(JointVerdict& verdict) {
   for (std::size_t i = 0; i < accepted_.size(); ++i) {
     Finding finding = findingOf(i);
     for (FoundNumber& number : finding.numbers) setInterval(number, moves.col(column++));
+    finding.small = isSmall(finding.numbers[0], causes_[accepted_[i].cause]);
     finding.profile = profileOf(i, finding.numbers[0]);
     verdict.findings.push_back(std::move(finding));
   }
   verdict.adjustments = adjustments();
 }
 
-// All but intervals and profile.
+// All but intervals, what they say of its size, and profile.
 Finding JointSearch::findingOf(std::size_t place) const {
   const Accepted& chosen = accepted_[place];
   const Cause& cause = causes_[chosen.cause];
@@ -151,7 +156,6 @@ Finding JointSearch::findingOf(std::size_t place) const {
   finding.folds_better = chosen.validation.better;
   finding.held_out_gain = chosen.validation.gain;
   finding.one_motion_only = chosen.validation.oneMotionOnly();
-  finding.small = std::abs(x[0]) < cause.free[0].smallest;
   for (const Candidate& rival : chosen.rivals) {
     const Cause& other = causes_[rival.cause];
     finding.rivals.push_back({other.id, foundNumbers(other, rival.x), chosen.gain - rival.gain});

@@ -24,6 +24,8 @@ Eigen::VectorXd columnOf(const CauseList& model) {
   return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
 }
 
+bool isTooSmall(const Cause& cause, double x) { return std::abs(x) < cause.free[0].smallest; }
+
 }  // namespace
 
 void JointSearch::setRivals(std::size_t place, const std::vector<Candidate>& ranking,
@@ -35,7 +37,7 @@ void JointSearch::setRivals(std::size_t place, const std::vector<Candidate>& ran
                                 [&](const Candidate& c) { return c.cause == chosen.cause; });
   if (own == ranking.end()) return;
   for (const Candidate& rival : ranking) {
-    if (rival.cause == chosen.cause || isSmall(rival)) continue;
+    if (rival.cause == chosen.cause || isTooSmall(causes_[rival.cause], rival.x[0])) continue;
     if (own->weighed && !rival.weighed) continue;  // was too far off to be weighed
     if (rival.gain < own->gain - reachOf(*own, rival, critical())) continue;
     if (samePlace(causes_[rival.cause], causes_[chosen.cause])) continue;
@@ -133,7 +135,6 @@ void JointSearch::swap(std::size_t place, double gain, const Stage& without, con
                    best.gain,
                    accepted_[place].share,
                    crossValidate(data_, without, best.fit, best.x.size()),
-                   isSmall(best),
                    {},
                    {}};
   drop(place, gain, "explained better by " + causes_[best.cause].id);

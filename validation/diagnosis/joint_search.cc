@@ -147,11 +147,6 @@ double JointSearch::misfit(const Stage& stage, const Eigen::VectorXd& raw) const
   return std::sqrt(half(stage.whiteAll(raw)) / std::max(floor, 1e-12));
 }
 
-bool JointSearch::isSmall(const Candidate& candidate) const {
-  const FreeNumber& size = causes_[candidate.cause].free[0];
-  return std::abs(candidate.x[0]) < size.smallest;
-}
-
 ByChance JointSearch::byChance() const {
   double sum = 0;
   for (const Eigen::VectorXd& null : stage_->nulls()) sum += half(stage_->white(null));
@@ -221,13 +216,8 @@ bool JointSearch::accept(std::vector<Candidate> ranking) {
 
 void JointSearch::take(const Candidate& candidate, const CrossValidation& validation,
                        const std::vector<Candidate>& ranking) {
-  accepted_.push_back({candidate.cause,
-                       candidate.gain,
-                       shareOf(*stage_, candidate.gain),
-                       validation,
-                       isSmall(candidate),
-                       {},
-                       {}});
+  accepted_.push_back(
+      {candidate.cause, candidate.gain, shareOf(*stage_, candidate.gain), validation, {}, {}});
   setRivals(accepted_.size() - 1, ranking, *stage_);
   ensemble_.learnNoise(settingsOf(causes_, candidate.fit.model));
   enterModel(candidate.fit);

@@ -66,7 +66,6 @@ class JointSearch {
     std::size_t cause = 0;
     double gain = 0, share = 0;
     CrossValidation validation;
-    bool small = false;
     std::vector<Candidate> rivals;
     Confusion confusion{};
   };
@@ -98,7 +97,6 @@ class JointSearch {
   std::optional<CrossValidation> validated(const Candidate& candidate);
   std::string objection(const Stage& stage, const Candidate& candidate,
                         const CrossValidation& validation) const;
-  bool isSmall(const Candidate& candidate) const;
   double shareOf(const Stage& stage, double gain) const;
   ByChance byChance() const;
   bool review();

@@ -220,6 +220,7 @@ std::optional<SharedCause> findShared(JointCrowd& joints, double critical) {
     }
   }
   refine(joints, best);
+  if (mayBeSmall(best.low, best.high, causes[best.cause].free[0].smallest)) return std::nullopt;
   return best;
 }
 

@@ -40,6 +40,10 @@ std::vector<FoundNumber> foundNumbers(const Cause& cause, const std::vector<doub
   return numbers;
 }
 
+bool mayBeSmall(double low, double high, double smallest) {
+  return low < smallest && high > -smallest;
+}
+
 std::string valueText(const FoundNumber& number) {
   char text[64];
   const double value = number.value;

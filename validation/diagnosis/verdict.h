@@ -18,6 +18,9 @@ struct FoundNumber {
 /// The numbers of a cause at a fit's `x`; their intervals are the numbers themselves.
 std::vector<FoundNumber> foundNumbers(const Cause& cause, const std::vector<double>& x);
 
+/// Whether the interval of a deviation reaches into what is of no interest: less than `smallest`.
+bool mayBeSmall(double low, double high, double smallest);
+
 /// "12.3 ms", "0.4 deg": as the report writes it.
 std::string valueText(const FoundNumber& number);
 
@@ -61,7 +64,7 @@ struct Finding {
   int folds = 0, folds_better = 0;
   double held_out_gain = 0;  // [nats]
   bool one_motion_only = false;
-  bool small = false;         // below its size of interest: fitted, never named
+  bool small = false;         // perhaps below its size of interest: fitted, never named
   std::vector<Rival> rivals;  // none: named alone
   std::string sentence;
   std::string experiment;               // that separates it from its rivals

@@ -85,7 +85,8 @@ PlacedFinding WholeSearch::finding(std::size_t place, const Eigen::MatrixXd& dra
   found.folds_better = accepted.folds_better;
   found.held_out_gain = accepted.held_out;
   found.one_motion_only = accepted.folds == 0 || isOfOneMotion();
-  found.small = std::abs(chosen.x[0]) < cause.cause.free[0].smallest;
+  const FoundNumber& size = found.numbers[0];
+  found.small = mayBeSmall(size.low, size.high, cause.cause.free[0].smallest);
   found.rivals = accepted.rivals;
   found.sentence = cause.sentence(valueText(found.numbers[0]));
   found.experiment = cause.cause.separate;

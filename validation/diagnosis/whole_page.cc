@@ -51,10 +51,10 @@ TextTable findingsOf(const WholeDiagnosis& diagnosis) {
       }
       for (const Rival& rival : finding.rivals) rivals += rival.cause + " ";
       if (finding.one_motion_only) rivals += "(no block held back shows it)";
-      table.lines.push_back({place.joint, finding.cause + (finding.small ? " (too small)" : ""),
-                             values, intervals, fixed(finding.gain, 0),
-                             fixed(finding.held_out_gain, 0), rivals,
-                             finding.rivals.empty() ? "" : finding.experiment, finding.record});
+      table.lines.push_back(
+          {place.joint, finding.cause + (finding.small ? " (perhaps too small)" : ""), values,
+           intervals, fixed(finding.gain, 0), fixed(finding.held_out_gain, 0), rivals,
+           finding.rivals.empty() ? "" : finding.experiment, finding.record});
     }
   }
   return table;

@@ -78,10 +78,23 @@ TEST_F(ExtensionTest, ARivalIsTakenByItsIdWithItsOwnNumbersAndNothingElse) {
 }
 
 TEST_F(ExtensionTest, SmallAdjustmentsAreTheirJointsOwn) {
-  const std::vector<EffectSetting> adjustments = reportedAdjustments(report_, "", *model_);
-  ASSERT_THAT(namesOf(adjustments), ElementsAre("kd_error"));
+  const std::vector<EffectSetting> adjustments = reportedAdjustments(report_, {}, *model_);
+  ASSERT_THAT(namesOf(adjustments), ElementsAre("kd_error", "kp_error"));
   EXPECT_EQ(adjustments[0].parameters.at("part"), -0.01);
   EXPECT_THAT(adjustments[0].joints, ElementsAre(*model_->findJoint("LKneePitch")));
+}
+
+TEST_F(ExtensionTest, ACauseThatMayBeSmallIsTakenOnce) {
+  EXPECT_THAT(namesOf(accept({"kp_error"})), ElementsAre("kp_error"));
+  EXPECT_THAT(namesOf(reportedAdjustments(report_, {{"kp_error"}, ""}, *model_)),
+              ElementsAre("kd_error"));
+}
+
+TEST_F(ExtensionTest, NothingSmallStandsInForWhatHasNoName) {
+  isReported(R"({"joint": "LKneePitch", "verdict": "partly_explained", "findings": [
+    {"cause": "kp_error", "numbers": [{"parameter": "part", "value": 0.02}], "rivals": [],
+     "below_size_of_interest": true}]})");
+  EXPECT_TRUE(reportedAdjustments(report_, {}, *model_).empty());
 }
 
 // {"joint": `place`, one cause without a rival}

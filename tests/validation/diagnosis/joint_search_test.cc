@@ -61,6 +61,20 @@ TEST(JointSearch, NamesNothingWhereNothingIsWrong) {
   EXPECT_GT(verdict.misfit_before, 0.7);
 }
 
+// An engine of another kind was told as a battery 3 % too full, where 2 % are of interest and the
+// interval reached down to 1.8 %.
+TEST(JointSearch, NamesNothingThatMayBeTooSmallToMatter) {
+  const FoundNumber weak = diagnose(softServo(), test::toyCauses()).findings.at(0).numbers[0];
+  std::vector<Cause> causes = test::toyCauses();
+  for (Cause& cause : causes) {
+    if (cause.id == "kp_error") cause.free[0].smallest = -(0.7 * weak.deviation + 0.3 * weak.high);
+  }
+  const JointVerdict verdict = diagnose(softServo(), causes);
+  ASSERT_EQ(verdict.findings.size(), 1u);
+  EXPECT_TRUE(verdict.findings[0].small);
+  EXPECT_EQ(verdict.verdict, Verdict::NoDiscrepancy);
+}
+
 TEST(JointSearch, NamesAWeakServoAndHowWeakItIs) {
   const JointVerdict verdict = diagnose(softServo(), test::toyCauses());
   ASSERT_FALSE(verdict.named().empty());
