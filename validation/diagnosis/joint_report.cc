@@ -141,6 +141,17 @@ void JointSearch::describe(JointVerdict& verdict) {
   verdict.adjustments = adjustments();
 }
 
+// Even by chance alone.
+bool JointSearch::newestIsSmall() const {
+  const Chosen& newest = fit_.model.back();
+  const Cause& cause = causes_[newest.cause];
+  FoundNumber size = foundNumbers(cause, newest.x)[0];
+  const auto numbers = static_cast<Eigen::Index>(newest.x.size());
+  const Eigen::MatrixXd moves = reestimated(*stage_, fit_);
+  setInterval(size, moves.col(moves.cols() - numbers));
+  return isSmall(size, cause);
+}
+
 // All but intervals, what they say of its size, and profile.
 Finding JointSearch::findingOf(std::size_t place) const {
   const Accepted& chosen = accepted_[place];

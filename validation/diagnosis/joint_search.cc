@@ -12,6 +12,8 @@ constexpr double kNextBest = 0.4;        // of the best gain: tried if the best 
 // Of what the greatest cause explains: the law that a robot follows is only like that of the
 // catalogue, and null sets, made by the latter, know nothing of the difference.
 constexpr double kLawError = 0.003;
+// Of the same: something small that explains less is the last one, what would follow explains less.
+constexpr double kTrifle = 0.03;
 constexpr double kUnchecked = 3;      // of the threshold: where it acts too briefly for any fold
 constexpr double kSharedPart = 0.15;  // of a number: half the width of a slope
 constexpr char kEndOfRange[] = "fits best at the end of its range";
@@ -163,13 +165,21 @@ std::string JointSearch::objection(const Stage& stage, const Candidate& candidat
   const bool unchecked = validation.folds == 0 && candidate.gain > kUnchecked * critical();
   if (!validation.accepted() && !unchecked) return "does not predict data it was not fitted to";
   if (shareOf(stage, candidate.gain) < kSmallestShare) return "explains under 3 % of the misfit";
-  double found = 0;
-  for (const Accepted& one : accepted_) found = std::max(found, one.gain);
-  if (candidate.gain < kLawError * found) {
+  if (candidate.gain < kLawError * greatestGain()) {
     return "explains no more than what was found may itself be off by";
   }
   if (isAtEnd({candidate.cause, candidate.x})) return kEndOfRange;
   return "";
+}
+
+double JointSearch::greatestGain() const {
+  double greatest = 0;
+  for (const Accepted& one : accepted_) greatest = std::max(greatest, one.gain);
+  return greatest;
+}
+
+bool JointSearch::newestIsTrifle() const {
+  return accepted_.back().gain < kTrifle * greatestGain() && newestIsSmall();
 }
 
 bool JointSearch::isAtEnd(const Chosen& one) const {
@@ -262,7 +272,7 @@ bool JointSearch::step() {
 JointVerdict JointSearch::conclude(const NullRecord& others) {
   others_ = others;
   for (int round = 0; round < 2; ++round) {  // a review may make room for one more
-    while (step()) {
+    while (step() && !newestIsTrifle()) {
     }
     if (!review()) break;
   }

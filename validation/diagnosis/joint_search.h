@@ -89,6 +89,9 @@ class JointSearch {
   void swap(std::size_t place, double gain, const Stage& without, const Candidate& best,
             const std::vector<Candidate>& ranking);
   bool step();
+  double greatestGain() const;
+  bool newestIsTrifle() const;
+  bool newestIsSmall() const;
   bool accept(std::vector<Candidate> ranking);
   void take(const Candidate& candidate, const CrossValidation& validation,
             const std::vector<Candidate>& ranking);

@@ -121,6 +121,25 @@ TEST(JointSearch, NamesNothingBesideACauseThatExplainsHundredsOfTimesAsMuch) {
   EXPECT_EQ(beside.named()[0]->cause, "encoder_offset");
 }
 
+// A tilt (2 % of what the offset explains) and a mass (0.5 %). If a tilt of that size is of no
+// interest, the mass is of none.
+TEST(JointSearch, SearchesNoFurtherThanATrifle) {
+  Effort four = quick();
+  four.most_causes = 4;
+  ToyLaws laws;
+  laws.zero = 0.15;
+  laws.bias = 0.03;
+  laws.mass *= 1.15;
+  std::vector<Cause> causes = test::toyCauses();
+  EXPECT_EQ(diagnose(laws, causes, four).findings.size(), 3u);
+  for (Cause& cause : causes) {
+    if (cause.id == "ground_tilt.y") cause.free[0].smallest = 0.05;
+  }
+  const JointVerdict verdict = diagnose(laws, causes, four);
+  ASSERT_EQ(verdict.findings.size(), 2u);
+  EXPECT_TRUE(verdict.findings[1].small);
+}
+
 // Alone the friction of the load would have to do the other's work, too, beyond what gears can
 // lose.
 TEST(JointSearch, ACauseAtTheEndOfItsRangeIsNamedIfASecondOneFreesIt) {
