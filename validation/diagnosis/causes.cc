@@ -95,6 +95,8 @@ Cause boundedAt(const Cause& cause, const JointSimulator& joint,
   if (isFriction(cause.effect)) {
     bounded.spread = kFrictionSpread * std::abs(joint.present(cause.effect, size));
   }
+  // Links' own inertias are spread as much as rotors.
+  if (cause.effect == "motor_inertia") bounded.spread *= std::hypot(1, joint.linkInertia());
   return bounded;
 }
 

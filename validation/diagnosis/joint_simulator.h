@@ -44,6 +44,10 @@ class JointSimulator {
   /// Joints whose links this one carries.
   virtual std::vector<Joint> carried() const { return {}; }
 
+  /// The inertia that the links it turns have of their own, as a part of the rotor's: to the joint
+  /// a rotor that is heavier.
+  virtual double linkInertia() const { return 0; }
+
   /// One run of measured()[motion] with the model's own effects and these, on the grid of its
   /// repeats; the same `stream` draws the same random numbers whatever the causes. Noise of zero:
   /// the noise-free run.

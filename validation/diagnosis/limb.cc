@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <sstream>
 
 #include "validation/diagnosis/noise_fit.h"
@@ -72,6 +73,21 @@ std::vector<Joint> Limb::carried() const {
     if (carried && own != joint_) found.push_back(whole_[index(own)]);
   }
   return found;
+}
+
+double Limb::linkInertia() const {
+  std::vector<Vec3> axes(model_.bodies.size(), Vec3::Zero());  // of the joint, in what it turns
+  double squares = 0;
+  for (std::size_t b = 1; b < model_.bodies.size(); ++b) {
+    const Body& body = model_.bodies[b];
+    const bool own = model_.coordinates[b - 1].joint == joint_;
+    const Vec3& before = axes[static_cast<std::size_t>(body.parent)];
+    axes[b] = own ? body.axis : Vec3(body.X_PB.linear().transpose() * before);
+    const double inertia = axes[b].dot(body.I_Bcm * axes[b]);
+    squares += inertia * inertia;
+  }
+  const double rotor = model_.actuators[index(joint_)].rotor_inertia;
+  return rotor > 0 ? std::sqrt(squares) / rotor : 0;
 }
 
 RobotModel Limb::modelIn(std::size_t motion) const {

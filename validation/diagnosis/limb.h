@@ -25,6 +25,9 @@ class Limb {
   Joint joint() const { return joint_; }
   /// Joints of the robot that hang on the joint, nearest first.
   std::vector<Joint> carried() const;
+  /// What the joint's link and those that hang on it have of inertia about their centres of mass,
+  /// along its axis with all joints at 0, as a part of its rotor's: the root of the sum of squares.
+  double linkInertia() const;
   /// With the gains of a motion.
   RobotModel modelIn(std::size_t motion) const;
   /// What the joints were told, a row per cycle; those that were not hold what they had.

@@ -74,6 +74,7 @@ class RigSimulator final : public JointSimulator {
   std::string joint() const override;
   std::vector<Joint> place() const override { return {joint_}; }
   std::vector<Joint> carried() const override { return limb_->carried(); }
+  double linkInertia() const override { return limb_->linkInertia(); }
   const std::vector<JointMotion>& measured() const override { return measured_; }
   Eigen::MatrixXd run(const std::vector<EffectSetting>& causes, std::size_t motion,
                       std::uint64_t stream, const JointNoise& noise) const override;

@@ -6,6 +6,7 @@
 
 #include "sim/hinge_run.h"
 #include "tests/support/models.h"
+#include "validation/diagnosis/causes.h"
 #include "validation/diagnosis/rig_simulator.h"
 #include "validation/diagnosis/run_noise.h"
 #include "validation/log/simulated_recording.h"
@@ -122,6 +123,22 @@ sim::HingeMotion swung(int inertia_every) {
   run.step = std::chrono::microseconds(250);
   run.inertia_every = inertia_every;
   return sim::runHinges(leg, {}, orders, run);
+}
+
+// To a joint it is a heavier rotor, and equal robots differ in both.
+TEST(LimbSimulator, KnowsTheInertiaThatLinksHaveOfTheirOwn) {
+  const RecordedLimb head({"HeadYaw"});
+  const RigSimulator yaw(head.set, head.joint("HeadYaw"));
+  const std::vector<Body>& bodies = head.model->bodies;
+  const double rotor = head.model->actuators[index(head.joint("HeadYaw"))].rotor_inertia;
+  const double expected = std::hypot(bodies[1].I_Bcm(2, 2), bodies[2].I_Bcm(2, 2)) / rotor;
+  EXPECT_GT(expected, 0.3);
+  EXPECT_NEAR(yaw.linkInertia(), expected, 1e-12);
+  for (const Cause& cause : jointCauses()) {
+    if (cause.id != "motor_inertia") continue;
+    const Cause here = boundedAt(cause, yaw, sim::standardEffects());
+    EXPECT_NEAR(here.spread, cause.spread * std::hypot(1, expected), 1e-12);
+  }
 }
 
 // Swings of 1.3 Hz in all joints of a leg. An encoder's count is 1.5 mrad; a hundredth of it is
