@@ -100,22 +100,31 @@ Eigen::VectorXd Ensemble::recalled(const std::function<Eigen::VectorXd()>& simul
 }
 
 Halves Ensemble::halves(const std::vector<EffectSetting>& causes, int runs) {
-  return halvesOf(joint_.coarse(), causes, runs);
+  return halvesOf(joint_.coarse(), causes, runs, noise_);
 }
 
 Halves Ensemble::roughHalves(const std::vector<EffectSetting>& causes, int runs) {
-  return halvesOf(joint_.rough(), causes, runs);
+  return halvesOf(joint_.rough(), causes, runs, noise_);
+}
+
+Halves Ensemble::unroundedHalves(const std::vector<EffectSetting>& causes, int runs) {
+  JointNoise noise = noise_;
+  noise.quantum = 0;
+  std::vector<EffectSetting> all = causes;
+  const double own = joint_.present("encoder_quantum", "quantum");
+  if (own != 0) all.push_back({"encoder_quantum", {{"quantum", -own}}, joint_.place(), ""});
+  return halvesOf(joint_.rough(), all, runs, noise);
 }
 
 Halves Ensemble::halvesOf(const JointSimulator& joint, const std::vector<EffectSetting>& causes,
-                          int runs) {
+                          int runs, const JointNoise& noise) {
   NAO_CHECK(runs % 2 == 0 && runs > 0);
-  return {recalled([&] { return meanOf(joint, causes, 0, runs, 2); }),
-          recalled([&] { return meanOf(joint, causes, 1, runs, 2); })};
+  return {recalled([&] { return meanOf(joint, causes, 0, runs, 2, noise); }),
+          recalled([&] { return meanOf(joint, causes, 1, runs, 2, noise); })};
 }
 
 Eigen::VectorXd Ensemble::rough(const std::vector<EffectSetting>& causes) {
-  return recalled([&] { return meanOf(joint_.rough(), causes, 0, 1, 1); });
+  return recalled([&] { return meanOf(joint_.rough(), causes, 0, 1, 1, noise_); });
 }
 
 Eigen::VectorXd Ensemble::roughOf(const std::vector<EffectSetting>& causes,
@@ -130,15 +139,15 @@ Eigen::VectorXd Ensemble::roughOf(const std::vector<EffectSetting>& causes,
 // Of every `every`-th of the runs 0 to `runs` - 1, from the `first` on.
 Eigen::VectorXd Ensemble::meanOf(const JointSimulator& joint,
                                  const std::vector<EffectSetting>& causes, int first, int runs,
-                                 int every) {
+                                 int every, const JointNoise& noise) {
   const std::vector<EffectSetting> all = withGiven(causes);
   const int count = (runs - first + every - 1) / every;
   std::vector<Eigen::MatrixXd> means;
   for (const MotionSpan& span : data_.spans()) {
     const std::size_t m = span.motion;
-    Eigen::MatrixXd sum = joint.run(all, m, streamOf(StreamUse::Mean, m, first), noise_);
+    Eigen::MatrixXd sum = joint.run(all, m, streamOf(StreamUse::Mean, m, first), noise);
     for (int r = first + every; r < runs; r += every) {
-      sum += joint.run(all, m, streamOf(StreamUse::Mean, m, r), noise_);
+      sum += joint.run(all, m, streamOf(StreamUse::Mean, m, r), noise);
     }
     means.push_back(sum / count);
     used_ += count;

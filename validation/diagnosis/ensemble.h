@@ -54,6 +54,8 @@ class Ensemble {
   /// The same of rough runs, and of one rough run.
   Halves roughHalves(const std::vector<EffectSetting>& causes, int runs);
   Eigen::VectorXd rough(const std::vector<EffectSetting>& causes);
+  /// Of rough runs before an encoder rounds them: what rounding does to small changes is chance.
+  Halves unroundedHalves(const std::vector<EffectSetting>& causes, int runs);
   /// Of one motion alone.
   Eigen::VectorXd roughOf(const std::vector<EffectSetting>& causes, const MotionSpan& span);
   /// `runs` exact runs per motion.
@@ -83,9 +85,10 @@ class Ensemble {
  private:
   Eigen::VectorXd recalled(const std::function<Eigen::VectorXd()>& simulate);
   RunPool simulatedPool(const std::vector<EffectSetting>& causes, int runs);
-  Halves halvesOf(const JointSimulator& joint, const std::vector<EffectSetting>& causes, int runs);
+  Halves halvesOf(const JointSimulator& joint, const std::vector<EffectSetting>& causes, int runs,
+                  const JointNoise& noise);
   Eigen::VectorXd meanOf(const JointSimulator& joint, const std::vector<EffectSetting>& causes,
-                         int first, int runs, int every);
+                         int first, int runs, int every, const JointNoise& noise);
   std::vector<EffectSetting> withGiven(const std::vector<EffectSetting>& causes) const;
 
   const JointSimulator& joint_;

@@ -13,6 +13,11 @@
 namespace nao::validation {
 namespace {
 
+// Of the most that equal robots differ by. Nearer, chance is a fifth of what a head's mass does;
+// farther, a motor's current bends.
+constexpr double kWidely = 5;
+constexpr int kMoreRuns = 4;  // than of a look: chance in what is left out stays in the numbers
+
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
   if (columns.cols() == 0) return columns;
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
@@ -163,21 +168,51 @@ Eigen::MatrixXd Stage::directions(const Effort& effort, double start_sd) {
     columns.push_back(late);
   }
   addModel(columns);
-  const std::size_t own = columns.size();
-  std::size_t seen = causes_.size();
-  for (const Look& one : looks_) {  // the first look at each cause
-    if (causes_[one.cause].spread > 0 && one.cause != seen) {
-      columns.push_back(one.raw.mean() * (causes_[one.cause].spread / one.x[0]));
-      undeclared_causes_.push_back(one.cause);
-    }
-    seen = one.cause;
-  }
-  addBeyond(columns, effort);
-  Eigen::MatrixXd all(data_.size(), static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    all.col(static_cast<Eigen::Index>(i)) = columns[i];
-  undeclared_ = all.rightCols(static_cast<Eigen::Index>(columns.size() - own));
+  addDifferences(effort);
+  const auto own = static_cast<Eigen::Index>(columns.size());
+  Eigen::MatrixXd all(data_.size(), own + undeclared_.cols());
+  for (Eigen::Index i = 0; i < own; ++i) all.col(i) = columns[static_cast<std::size_t>(i)];
+  all.rightCols(undeclared_.cols()) = undeclared_;
   return all;
+}
+
+// Those of the joint itself, then the weight of the links that it carries: by one half of the runs
+// for the whitening, by the other for null sets, so that these show what chance leaves in.
+void Stage::addDifferences(const Effort& effort) {
+  const Halves base =
+      ensemble_.unroundedHalves(settingsOf(causes_, model_), kMoreRuns * effort.look_runs);
+  std::vector<Halves> found;
+  for (std::size_t c = 0; c < causes_.size(); ++c) {
+    if (causes_[c].spread == 0 || isTaken(c)) continue;
+    found.push_back(difference(causes_[c], causes_[c].joints, base, effort));
+    undeclared_causes_.push_back(c);
+  }
+  for (const Cause& cause : causes_) {
+    if (!cause.spread_beyond) continue;
+    for (const Joint joint : ensemble_.carried()) {
+      found.push_back(difference(cause, {joint}, base, effort));
+    }
+  }
+  undeclared_.resize(data_.size(), static_cast<Eigen::Index>(found.size()));
+  undeclared_again_ = undeclared_;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    undeclared_.col(static_cast<Eigen::Index>(i)) = found[i].first;
+    undeclared_again_.col(static_cast<Eigen::Index>(i)) = found[i].second;
+  }
+}
+
+// What one SD of a number that equal robots differ by changes. Before encoders round it: of a mean
+// that moves by a tenth of a count, rounded readings are mostly chance.
+Halves Stage::difference(const Cause& cause, const std::vector<Joint>& joints, const Halves& base,
+                         const Effort& effort) {
+  std::vector<double> x = startsOf(cause).front();
+  const double wide = std::sqrt(3.0) * kWidely;  // SD
+  x[0] = std::min(wide * cause.spread, cause.free[0].upper);
+  std::vector<EffectSetting> settings = settingsOf(causes_, model_);
+  settings.push_back(settingOf(cause, x));
+  settings.back().joints = joints;
+  const Halves with = ensemble_.unroundedHalves(settings, kMoreRuns * effort.look_runs);
+  return (with - base) * (cause.spread / x[0]);
 }
 
 // Of a number that is spread by one SD and a residual that holds it beside other disturbances, both
@@ -206,21 +241,6 @@ void Stage::addModel(std::vector<Eigen::VectorXd>& columns) const {
   }
 }
 
-// What the links that this joint carries may weigh more or less.
-void Stage::addBeyond(std::vector<Eigen::VectorXd>& columns, const Effort& effort) {
-  for (const Cause& cause : causes_) {
-    if (!cause.spread_beyond) continue;
-    for (const Joint joint : ensemble_.carried()) {
-      const std::vector<double> x = startsOf(cause).front();
-      std::vector<EffectSetting> settings = settingsOf(causes_, model_);
-      settings.push_back(settingOf(cause, x));
-      settings.back().joints = {joint};
-      const Halves change = ensemble_.roughHalves(settings, effort.look_runs) - look_base_;
-      columns.push_back(change.mean() * (cause.spread / x[0]));
-    }
-  }
-}
-
 void Stage::simulateNulls(const std::string& joint) {
   for (int set = 0; set < effort_.null_sets; ++set) {
     const std::uint64_t seed = static_cast<std::uint64_t>(set) + 1;
@@ -229,8 +249,8 @@ void Stage::simulateNulls(const std::string& joint) {
     for (Eigen::Index i = 0; i < residual.size(); ++i) {
       if (data_.rounding()[i] > 0) residual[i] += data_.rounding()[i] * random.normal();
     }
-    for (Eigen::Index i = 0; i < undeclared_.cols(); ++i) {
-      residual += undeclared_.col(i) * random.uniform(-std::sqrt(3.0), std::sqrt(3.0));
+    for (Eigen::Index i = 0; i < undeclared_again_.cols(); ++i) {
+      residual += undeclared_again_.col(i) * random.uniform(-std::sqrt(3.0), std::sqrt(3.0));
     }
     nulls_.push_back(std::move(residual));
   }

@@ -105,7 +105,9 @@ class Stage {
   void setJacobian(const Eigen::MatrixXd& jacobian);
   Eigen::MatrixXd directions(const Effort& effort, double start_sd);
   void addModel(std::vector<Eigen::VectorXd>& columns) const;
-  void addBeyond(std::vector<Eigen::VectorXd>& columns, const Effort& effort);
+  void addDifferences(const Effort& effort);
+  Halves difference(const Cause& cause, const std::vector<Joint>& joints, const Halves& base,
+                    const Effort& effort);
 
   const JointData& data_;
   const std::vector<Cause>& causes_;
@@ -120,8 +122,8 @@ class Stage {
   std::vector<Look> looks_;
   std::vector<std::size_t> unseen_;
   // One SD of each difference between equal robots but for the model's own numbers.
-  Eigen::MatrixXd undeclared_;
-  std::vector<std::size_t> undeclared_causes_;  // of its first columns; the others are beyond
+  Eigen::MatrixXd undeclared_, undeclared_again_;  // by runs that share no chance
+  std::vector<std::size_t> undeclared_causes_;     // of its first columns; the others are beyond
   Whitening fit_, all_;
   Eigen::MatrixXd own_fit_, own_all_;  // orthonormal: what the model's numbers explain
   std::vector<Eigen::VectorXd> nulls_;

@@ -108,12 +108,12 @@ TEST(JointSearch, TellsWhatARobotDiffersByWithoutNamingIt) {
 }
 
 // What is left beside a gross cause is as likely that cause's own law, which is not quite the
-// catalogue's: a bias that is found alone (47 nats) is not named beside 35,000.
+// catalogue's: a bias that is named alone (13 nats) is not beside 33,000, although 32 speak for it.
 TEST(JointSearch, NamesNothingBesideACauseThatExplainsHundredsOfTimesAsMuch) {
   Effort two = quick();
   two.most_causes = 2;
   ToyLaws laws;
-  laws.bias = 0.02;
+  laws.bias = 0.012;
   EXPECT_EQ(diagnose(laws, test::toyCauses(), two).named().size(), 1u);
   laws.zero = 0.25;
   const JointVerdict beside = diagnose(laws, test::toyCauses(), two);
@@ -169,11 +169,11 @@ TEST(JointSearch, ACauseAtTheEndOfItsRangeIsNamedIfASecondOneFreesIt) {
 }
 
 // Cogs, a drag by v^2 and a hum of the mains have no cause here: they pull at the gain, which is
-// -0.3 (found: -0.318, -0.345, -0.343; by noise alone known to 0.015 to 0.03).
+// -0.3 (found: -0.314, -0.353, -0.338; by noise alone known to 0.015 to 0.03).
 TEST(JointSearch, IntervalsAllowForWhatRemains) {
   for (double ToyLaws::*law : {&ToyLaws::cogging, &ToyLaws::drag, &ToyLaws::hum}) {
     ToyLaws laws = softServo();
-    laws.*law = law == &ToyLaws::cogging ? 0.1 : law == &ToyLaws::drag ? 0.05 : 0.2;
+    laws.*law = law == &ToyLaws::cogging ? 0.1 : law == &ToyLaws::drag ? 0.05 : 0.15;
     const JointVerdict verdict = diagnose(laws, without({"friction_asymmetry"}));
     ASSERT_EQ(verdict.verdict, Verdict::PartlyExplained);
     ASSERT_EQ(verdict.findings[0].cause, "kp_error");

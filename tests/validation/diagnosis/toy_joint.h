@@ -56,7 +56,7 @@ inline void ToyLaws::set(const std::string& effect, const std::map<std::string, 
   if (effect == "command_hold") hold += at("interval");
   if (effect == "command_filter") filter += at("time");
   if (effect == "rate_limit") rate = at("rate");
-  if (effect == "encoder_quantum") quantum = std::max(quantum, at("quantum"));
+  if (effect == "encoder_quantum") quantum += at("quantum");
 }
 
 /// The commands of the toy's motions [rad]: sweeps, triangles, steps and holds of 6 s.
@@ -215,6 +215,7 @@ class ToyJoint final : public JointSimulator {
     if (effect == "viscous_friction") return laws.viscous;
     if (effect == "command_latency") return laws.latency;
     if (effect == "sensor_delay") return laws.sensor_delay;
+    if (effect == "encoder_quantum") return laws.quantum;
     return 0;
   }
 
