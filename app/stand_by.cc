@@ -20,6 +20,9 @@ sigset_t expectedSignals() {
   return signals;
 }
 
+// 100 % is what nothing is left of.
+double percent(double part) { return std::floor(100 * part); }
+
 }  // namespace
 
 std::string roughTime(double seconds) {
@@ -92,7 +95,7 @@ void StandBy::drawBar(const State& state) {
   constexpr int kWidth = 30;
   const int full = static_cast<int>(kWidth * state.part);
   const std::string bar = std::string(full, '#') + std::string(kWidth - full, '.');
-  std::fprintf(stderr, "\r[%s] %3.0f %%%s: %s\x1b[K", bar.c_str(), 100 * state.part,
+  std::fprintf(stderr, "\r[%s] %3.0f %%%s: %s\x1b[K", bar.c_str(), percent(state.part),
                timeLeft(state.part).c_str(), state.what.c_str());
   drawn_ = true;
 }
@@ -104,7 +107,7 @@ void StandBy::writeLine(const State& state) {
       now < written_at_ + kLineTime) {
     return;
   }
-  std::fprintf(stderr, "%3.0f %%%s: %s\n", 100 * state.part, left.c_str(), state.what.c_str());
+  std::fprintf(stderr, "%3.0f %%%s: %s\n", percent(state.part), left.c_str(), state.what.c_str());
   written_what_ = state.what;
   written_part_ = state.part;
   written_at_ = now;
