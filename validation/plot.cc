@@ -216,7 +216,7 @@ void draw(const Picture& picture, const std::string& file) {
   const ScratchFolder scratch;
   const fs::path script = scratch.path() / "plot.gp";
   writeFile("", script.string(), Script(picture, file).text());
-  const std::string command = "gnuplot '" + script.string() + "' >&2";
+  const std::string command = "LC_ALL=C.UTF-8 gnuplot '" + script.string() + "' >&2";
   if (std::system(command.c_str()) != 0) {
     throw InputError("--plot " + file + ": gnuplot could not draw it, see its message above");
   }

@@ -57,6 +57,17 @@ TEST_F(Plot, DrawsPixelPictures) {
   EXPECT_GT(png.size(), 4000u);  // an empty page of this size has 2 KB
 }
 
+// gnuplot writes a degree sign as it knows it from the language of the machine, which may have none.
+TEST_F(Plot, SaysNothingWhereNoLanguageIsSet) {
+  const char* found = std::getenv("LC_ALL");
+  const std::string before = found == nullptr ? "" : found;
+  setenv("LC_ALL", "C", 1);
+  testing::internal::CaptureStderr();
+  draw(twoPanels(), file("a.svg"));
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  setenv("LC_ALL", before.c_str(), 1);  // empty is as good as none
+}
+
 TEST_F(Plot, SaysWhereItCanNotWrite) {
   EXPECT_THROW(draw(twoPanels(), file("no/such/folder/a.png")), InputError);
 }
