@@ -168,36 +168,27 @@ Eigen::MatrixXd Stage::directions(const Effort& effort, double start_sd) {
     columns.push_back(late);
   }
   addModel(columns);
-  addDifferences(effort);
-  const auto own = static_cast<Eigen::Index>(columns.size());
-  Eigen::MatrixXd all(data_.size(), own + undeclared_.cols());
-  for (Eigen::Index i = 0; i < own; ++i) all.col(i) = columns[static_cast<std::size_t>(i)];
-  all.rightCols(undeclared_.cols()) = undeclared_;
+  simulateDifferences(effort);
+  for (const Halves& one : differences_) columns.push_back(one.first);
+  Eigen::MatrixXd all(data_.size(), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    all.col(static_cast<Eigen::Index>(i)) = columns[i];
   return all;
 }
 
-// Those of the joint itself, then the weight of the links that it carries: by one half of the runs
-// for the whitening, by the other for null sets, so that these show what chance leaves in.
-void Stage::addDifferences(const Effort& effort) {
+void Stage::simulateDifferences(const Effort& effort) {
   const Halves base =
       ensemble_.unroundedHalves(settingsOf(causes_, model_), kMoreRuns * effort.look_runs);
-  std::vector<Halves> found;
   for (std::size_t c = 0; c < causes_.size(); ++c) {
     if (causes_[c].spread == 0 || isTaken(c)) continue;
-    found.push_back(difference(causes_[c], causes_[c].joints, base, effort));
+    differences_.push_back(difference(causes_[c], causes_[c].joints, base, effort));
     undeclared_causes_.push_back(c);
   }
   for (const Cause& cause : causes_) {
     if (!cause.spread_beyond) continue;
     for (const Joint joint : ensemble_.carried()) {
-      found.push_back(difference(cause, {joint}, base, effort));
+      differences_.push_back(difference(cause, {joint}, base, effort));
     }
-  }
-  undeclared_.resize(data_.size(), static_cast<Eigen::Index>(found.size()));
-  undeclared_again_ = undeclared_;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    undeclared_.col(static_cast<Eigen::Index>(i)) = found[i].first;
-    undeclared_again_.col(static_cast<Eigen::Index>(i)) = found[i].second;
   }
 }
 
@@ -221,7 +212,7 @@ std::vector<SmallDifference> Stage::smallDifferences(const Eigen::VectorXd& raw)
   const Eigen::VectorXd residual = white(raw);
   std::vector<SmallDifference> found;
   for (std::size_t i = 0; i < undeclared_causes_.size(); ++i) {
-    const Eigen::VectorXd direction = white(undeclared_.col(static_cast<Eigen::Index>(i)));
+    const Eigen::VectorXd direction = white(differences_[i].first);
     const double spread = causes_[undeclared_causes_[i]].spread;
     const double known = std::min(1.0, direction.squaredNorm());
     found.push_back({undeclared_causes_[i], spread * direction.dot(residual),
@@ -249,8 +240,8 @@ void Stage::simulateNulls(const std::string& joint) {
     for (Eigen::Index i = 0; i < residual.size(); ++i) {
       if (data_.rounding()[i] > 0) residual[i] += data_.rounding()[i] * random.normal();
     }
-    for (Eigen::Index i = 0; i < undeclared_again_.cols(); ++i) {
-      residual += undeclared_again_.col(i) * random.uniform(-std::sqrt(3.0), std::sqrt(3.0));
+    for (const Halves& one : differences_) {
+      residual += one.second * random.uniform(-std::sqrt(3.0), std::sqrt(3.0));
     }
     nulls_.push_back(std::move(residual));
   }

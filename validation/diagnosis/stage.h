@@ -105,7 +105,7 @@ class Stage {
   void setJacobian(const Eigen::MatrixXd& jacobian);
   Eigen::MatrixXd directions(const Effort& effort, double start_sd);
   void addModel(std::vector<Eigen::VectorXd>& columns) const;
-  void addDifferences(const Effort& effort);
+  void simulateDifferences(const Effort& effort);
   Halves difference(const Cause& cause, const std::vector<Joint>& joints, const Halves& base,
                     const Effort& effort);
 
@@ -121,9 +121,11 @@ class Stage {
   Halves quick_base_, look_base_;  // by coarse and by rough runs
   std::vector<Look> looks_;
   std::vector<std::size_t> unseen_;
-  // One SD of each difference between equal robots but for the model's own numbers.
-  Eigen::MatrixXd undeclared_, undeclared_again_;  // by runs that share no chance
-  std::vector<std::size_t> undeclared_causes_;     // of its first columns; the others are beyond
+  // One SD of each difference between equal robots but for the model's own numbers: of this joint,
+  // then what the links that it carries weigh. The whitening knows them by the one half of the
+  // runs, null sets by the other, so that these show what chance leaves in.
+  std::vector<Halves> differences_;
+  std::vector<std::size_t> undeclared_causes_;  // of the joint's own
   Whitening fit_, all_;
   Eigen::MatrixXd own_fit_, own_all_;  // orthonormal: what the model's numbers explain
   std::vector<Eigen::VectorXd> nulls_;
