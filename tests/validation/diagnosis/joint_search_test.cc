@@ -121,7 +121,7 @@ TEST(JointSearch, NamesNothingBesideACauseThatExplainsHundredsOfTimesAsMuch) {
   EXPECT_EQ(beside.named()[0]->cause, "encoder_offset");
 }
 
-// A tilt (2 % of what the offset explains) and a mass (0.5 %). If a tilt of that size is of no
+// A tilt (2.7 % of what the offset explains) and a mass (1.1 %). If a tilt of that size is of no
 // interest, the mass is of none.
 TEST(JointSearch, SearchesNoFurtherThanATrifle) {
   Effort four = quick();

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/hinge_run.h"
@@ -134,11 +135,12 @@ TEST(LimbSimulator, KnowsTheInertiaThatLinksHaveOfTheirOwn) {
   const double expected = std::hypot(bodies[1].I_Bcm(2, 2), bodies[2].I_Bcm(2, 2)) / rotor;
   EXPECT_GT(expected, 0.3);
   EXPECT_NEAR(yaw.linkInertia(), expected, 1e-12);
-  for (const Cause& cause : jointCauses()) {
-    if (cause.id != "motor_inertia") continue;
-    const Cause here = boundedAt(cause, yaw, sim::standardEffects());
-    EXPECT_NEAR(here.spread, cause.spread * std::hypot(1, expected), 1e-12);
-  }
+  const auto& causes = jointCauses();
+  const auto rotor_cause = std::find_if(causes.begin(), causes.end(),
+                                        [](const Cause& one) { return one.id == "motor_inertia"; });
+  ASSERT_NE(rotor_cause, causes.end());
+  const Cause here = boundedAt(*rotor_cause, yaw, sim::standardEffects());
+  EXPECT_NEAR(here.spread, rotor_cause->spread * std::hypot(1, expected), 1e-12);
 }
 
 // Swings of 1.3 Hz in all joints of a leg. An encoder's count is 1.5 mrad; a hundredth of it is
