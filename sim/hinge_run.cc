@@ -23,7 +23,7 @@ class Player {
     if (run.inertia_every > 1) body_.setInertiaEvery(run.inertia_every);
   }
 
-  void place(const JointCommand& order) { body_.place({}, order.angle); }
+  void place(const JointArray<double>& angle) { body_.place({}, angle); }
 
   void step(const JointCommand& order) {
     followed_ = order;
@@ -97,7 +97,7 @@ HingeMotion runHinges(const RobotModel& model, const std::vector<EffectSetting>&
   const long rest = std::lround(run.settle / toSeconds(model.cycle));
   HingeMotion motion = roomFor(model, orders.size(), run.per_cycle);
   Player player(model, effects, run, catalogue);
-  player.place(orders.front());
+  player.place(run.start ? *run.start : orders.front().angle);
   long row = 0;  // whose orders act
   for (long step = -rest * row_steps; step <= (rows - 1) * row_steps; ++step) {
     if (step % row_steps == 0) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -28,6 +29,8 @@ struct HingeRun {
   /// Steps from one calculation of mass matrix and bias to the next (InertiaCourse); more than one
   /// is for a robot that can touch nothing.
   int inertia_every = 1;
+  /// [rad] of the links; none: as the first order says.
+  std::optional<JointArray<double>> start = std::nullopt;
 };
 
 /// A robot with a fixed base alone in a World, its truth written down: plays `orders`, one per

@@ -128,7 +128,7 @@ FitPoint solve(const Residual& residual, const FitSpace& space) {
   FitPoint found;
   found.x = x;
   found.residual = differences.at(x);
-  found.jacobian = differences.jacobianAt(x);
+  if (space.slopes) found.jacobian = differences.jacobianAt(x);
   found.cost = found.residual.squaredNorm() / 2;
   found.evaluations = differences.evaluations();
   return found;
@@ -140,6 +140,7 @@ FitPoint leastSquares(const Residual& residual, const FitSpace& space) {
   std::vector<std::size_t> free;
   FitSpace varied;  // Ceres takes no number whose bounds meet
   varied.iterations = space.iterations;
+  varied.slopes = space.slopes;
   for (std::size_t i = 0; i < space.start.size(); ++i) {
     if (space.isFixed(i)) continue;
     free.push_back(i);
@@ -156,6 +157,8 @@ FitPoint leastSquares(const Residual& residual, const FitSpace& space) {
   };
   FitPoint found = free.empty() ? evaluated(residual(space.start))
                                 : solve([&](const auto& x) { return residual(whole(x)); }, varied);
+  found.x = whole(found.x);
+  if (!space.slopes) return found;
   const Eigen::MatrixXd slopes = found.jacobian;
   found.jacobian =
       Eigen::MatrixXd::Zero(found.residual.size(), static_cast<Eigen::Index>(space.start.size()));
@@ -163,7 +166,6 @@ FitPoint leastSquares(const Residual& residual, const FitSpace& space) {
     found.jacobian.col(static_cast<Eigen::Index>(free[i])) =
         slopes.col(static_cast<Eigen::Index>(i));
   }
-  found.x = whole(found.x);
   return found;
 }
 

@@ -12,6 +12,7 @@ struct FitSpace {
   std::vector<double> start, lower, upper;
   std::vector<double> step;  // of the finite differences: wide enough to be more than roundings
   int iterations = 5;
+  bool slopes = true;  // whether FitPoint::jacobian is wanted
 
   /// A number that stays where it is; its column of the jacobian is 0.
   bool isFixed(std::size_t i) const { return lower[i] == upper[i]; }
@@ -23,7 +24,7 @@ double differenceStep(const FitSpace& space, std::size_t i, double x);
 struct FitPoint {
   std::vector<double> x;
   Eigen::VectorXd residual;  // there
-  Eigen::MatrixXd jacobian;  // there, by finite differences
+  Eigen::MatrixXd jacobian;  // there, by finite differences; empty if not wanted
   double cost = 0;           // half the squares
   int evaluations = 0;
 };

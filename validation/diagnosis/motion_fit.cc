@@ -89,7 +89,8 @@ MotionFit::Result MotionFit::fit(const CauseList& start,
     const auto softenedAt = [&](const std::vector<double>& x) {
       return softened(residual(withNumbers(start, x), motions));
     };
-    const FitSpace space = spaceOf(causes_, start, options_.iterations);
+    FitSpace space = spaceOf(causes_, start, options_.iterations);
+    space.slopes = false;
     result.model = withNumbers(start, leastSquares(softenedAt, space).x);
   }
   result.residual = residual(result.model, motions);

@@ -6,12 +6,24 @@
 #include "validation/diagnosis/team.h"
 
 namespace nao::validation {
+namespace {
+
+// Of a swinging leg that was recorded by 0.25 ms: by such steps the same to the count, by 1 ms off
+// by half a count RMS, at 40 % of the time.
+constexpr Duration kLimbStep = std::chrono::microseconds(250);
+constexpr Duration kCoarseStep = std::chrono::milliseconds(1);
+
+}  // namespace
 
 WholeData::WholeData(const WholeSimulator& simulator, const std::vector<Joint>& joints, bool body)
     : simulator_(simulator),
       block_of_(simulator.measured().size()),
       measured_(simulator.measured().size()),
       joints_(joints.size()) {
+  if (!body && simulator.model().fixed_base) {
+    limbs_ = std::make_unique<LimbReplay>(simulator, joints, kLimbStep);
+    coarse_ = std::make_unique<LimbReplay>(simulator, joints, kCoarseStep);
+  }
   for (const WholeBlock& block : simulator.blocks()) {
     const FeatureSpace space(simulator, block, joints, body);
     offsets_.push_back(size_);
@@ -57,9 +69,16 @@ std::vector<WholeData::Order> WholeData::ordersFor(int per_run, std::size_t most
   return orders;
 }
 
+WholeRun WholeData::replay(const std::vector<EffectSetting>& causes, std::size_t run,
+                           std::uint64_t stream, double noise, Pace pace) const {
+  if (!limbs_) return simulator_.simulate(causes, run, stream, noise);
+  const LimbReplay& limbs = pace == Pace::Coarse ? *coarse_ : *limbs_;
+  return limbs.simulate(causes, run, stream, noise);
+}
+
 WholePool WholeData::simulate(const std::vector<EffectSetting>& causes, int per_run,
                               std::size_t most, bool fit_only, std::uint64_t streams, double noise,
-                              int jobs) const {
+                              int jobs, Pace pace) const {
   const std::vector<Order> orders = ordersFor(per_run, most, fit_only, streams);
   std::vector<EffectSetting> acting = given_;
   acting.insert(acting.end(), causes.begin(), causes.end());
@@ -67,7 +86,7 @@ WholePool WholeData::simulate(const std::vector<EffectSetting>& causes, int per_
   std::vector<Eigen::VectorXd> features(orders.size());
   std::vector<char> fell(orders.size(), 0);
   inParallel(orders.size(), jobs, [&](std::size_t i) {
-    const WholeRun run = simulator_.simulate(acting, orders[i].run, orders[i].stream, noise);
+    const WholeRun run = replay(acting, orders[i].run, orders[i].stream, noise, pace);
     features[i] = spaces_[block_of_[orders[i].run]].of(run);
     fell[i] = run.fell;
   });

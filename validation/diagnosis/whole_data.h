@@ -2,13 +2,19 @@
 
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "validation/diagnosis/limb_replay.h"
 #include "validation/diagnosis/whole_features.h"
 
 namespace nao::validation {
+
+/// How a run is simulated. Coarse ones are for what causes change, where the error of a step falls
+/// out; only limbs that hang have any, to others both are the same.
+enum class Pace { Exact, Coarse };
 
 /// Simulated runs of a set: by measured run, as many as asked for.
 using WholePool = std::vector<std::vector<Eigen::VectorXd>>;
@@ -33,6 +39,11 @@ class WholeData {
   /// Effects that act in every run simulated from now on, whatever else is tried.
   void give(std::vector<EffectSetting> effects) { given_ = std::move(effects); }
 
+  /// A measured run anew: by the limbs of the joints alone if they hang and nothing else counts.
+  WholeRun replay(const std::vector<EffectSetting>& causes, std::size_t run, std::uint64_t stream,
+                  double noise, Pace pace) const;
+  bool hasCoarse() const { return coarse_ != nullptr; }
+
   /// Runs simulated so far.
   long used() const { return used_; }
 
@@ -43,7 +54,8 @@ class WholeData {
   /// fit, and of the others unless `fit_only`. What fell is left out, unless most of a block did.
   /// `streams` tells apart what the random numbers are for.
   WholePool simulate(const std::vector<EffectSetting>& causes, int per_run, std::size_t most,
-                     bool fit_only, std::uint64_t streams, double noise, int jobs) const;
+                     bool fit_only, std::uint64_t streams, double noise, int jobs,
+                     Pace pace = Pace::Exact) const;
 
  private:
   struct Order {
@@ -54,6 +66,7 @@ class WholeData {
                                std::uint64_t streams) const;
 
   const WholeSimulator& simulator_;
+  std::unique_ptr<LimbReplay> limbs_, coarse_;
   std::vector<EffectSetting> given_;
   mutable std::atomic<long> used_{0};
   std::vector<FeatureSpace> spaces_;

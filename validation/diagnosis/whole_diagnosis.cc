@@ -141,7 +141,7 @@ class RobotCase {
     if (options_.seconds <= 0) return kNoLimit;
     const auto begin = std::chrono::steady_clock::now();
     constexpr int kRuns = 3;
-    for (int i = 0; i < kRuns; ++i) simulator_.simulate({}, 0, 1u + i, spread_.noise);
+    for (int i = 0; i < kRuns; ++i) data.replay({}, 0, 1u + i, spread_.noise, Pace::Coarse);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     return data.used() + std::lround(options_.seconds * options_.jobs / (taken.count() / kRuns));
   }

@@ -8,7 +8,6 @@
 namespace nao::validation {
 namespace {
 
-constexpr std::size_t kAllRuns = 1000000;
 // Of a fit: one number moves nearly straight to its place, several along valleys.
 constexpr int kIterations = 3, kIterationsOfSeveral = 10;
 
@@ -51,10 +50,12 @@ FitSpace spaceOf(const std::vector<PlacedCause>& causes, const WholeModel& model
   return space;
 }
 
-constexpr auto kStream = static_cast<std::uint64_t>(WholeStream::Base);
-
-Eigen::VectorXd residualOf(const WholeData& data, const WholePool& pool) {
+// What the measurement differs from these runs of a model by; `own`: the means of as many of the
+// stage's model, none where coarse runs are exact.
+Eigen::VectorXd residualOf(const WholeData& data, const WholeStage& stage, const WholePool& pool,
+                           const Eigen::VectorXd& own) {
   const auto means = meansOf(pool);
+  if (own.size() > 0) return stage.raw() - (data.stackMeans(means) - own);
   std::vector<Eigen::VectorXd> difference(data.runs());
   for (std::size_t run = 0; run < data.runs(); ++run) {
     if (means[run].size() > 0) difference[run] = data.measured(run) - means[run];
@@ -62,39 +63,41 @@ Eigen::VectorXd residualOf(const WholeData& data, const WholePool& pool) {
   return data.stackMeans(difference);
 }
 
-}  // namespace
-
-Eigen::VectorXd simulatedResidual(const WholeTask& task, const WholeModel& model, bool fit_only,
-                                  int jobs) {
-  const WholeData& data = *task.data;
-  std::size_t most = 1;
-  for (const WholeBlock& block : data.simulator().blocks()) {
-    most = std::max(most, block.runs.size());
-  }
-  return residualOf(
-      data, data.simulate(settingsOf(*task.causes, model), perRun(task.effort.fit_runs, most),
-                          kAllRuns, fit_only, kStream, task.noise, jobs));
+Eigen::VectorXd fitOnly(const WholeData& data, Eigen::VectorXd residual) {
+  residual.tail(data.size() - data.fitSize()).setZero();
+  return residual;
 }
 
-Eigen::VectorXd roughResidual(const WholeTask& task, const WholeModel& model) {
-  const auto runs = static_cast<std::size_t>(task.effort.look_runs);
-  return residualOf(*task.data, task.data->simulate(settingsOf(*task.causes, model), 1, runs, true,
-                                                    kStream, task.noise, 1));
+}  // namespace
+
+Eigen::VectorXd simulatedResidual(const WholeTask& task, const WholeStage& stage,
+                                  const WholeModel& model, bool fit_only, int jobs) {
+  const WholePool pool = fitRuns(task, model, fit_only, jobs);
+  const Eigen::VectorXd all = residualOf(*task.data, stage, pool, stage.coarseMeans());
+  return fit_only ? fitOnly(*task.data, all) : all;
+}
+
+Eigen::VectorXd roughResidual(const WholeTask& task, const WholeStage& stage,
+                              const WholeModel& model) {
+  const WholePool pool = lookRuns(task, model, 1);
+  return fitOnly(*task.data, residualOf(*task.data, stage, pool, stage.roughMeans()));
 }
 
 WholeFit fitModel(const WholeTask& task, const WholeStage& stage, const WholeModel& start,
                   int jobs) {
   const auto residual = [&](const std::vector<double>& x) {
-    return stage.whitenFit(simulatedResidual(task, withNumbers(start, x), true, jobs));
+    return stage.whitenFit(simulatedResidual(task, stage, withNumbers(start, x), true, jobs));
   };
-  const FitPoint point = leastSquares(residual, spaceOf(*task.causes, start));
+  FitSpace space = spaceOf(*task.causes, start);
+  space.slopes = false;
+  const FitPoint point = leastSquares(residual, space);
   return {withNumbers(start, point.x), point.residual, {}, point.cost};
 }
 
 Eigen::MatrixXd jacobianOf(const WholeTask& task, const WholeModel& model) {
   const FitSpace space = spaceOf(*task.causes, model);
   const std::vector<double> x = flat(model);
-  std::vector<Eigen::VectorXd> residual(2 * x.size());
+  std::vector<Eigen::VectorXd> means(2 * x.size());
   std::vector<double> at(2 * x.size());
   inParallel(at.size(), task.jobs, [&](std::size_t i) {
     const std::size_t number = i / 2;
@@ -102,12 +105,13 @@ Eigen::MatrixXd jacobianOf(const WholeTask& task, const WholeModel& model) {
     beside[number] += (i % 2 == 0 ? -1 : 1) * kBeside * space.step[number];
     beside[number] = std::clamp(beside[number], space.lower[number], space.upper[number]);
     at[i] = beside[number];
-    residual[i] = simulatedResidual(task, withNumbers(model, beside), false);
+    const WholePool pool = fitRuns(task, withNumbers(model, beside), false, 1);
+    means[i] = task.data->stackMeans(meansOf(pool));
   });
   Eigen::MatrixXd jacobian(task.data->size(), static_cast<Eigen::Index>(x.size()));
   for (std::size_t i = 0; i < x.size(); ++i) {
     jacobian.col(static_cast<Eigen::Index>(i)) =
-        (residual[2 * i] - residual[2 * i + 1]) / (at[2 * i + 1] - at[2 * i]);
+        (means[2 * i + 1] - means[2 * i]) / (at[2 * i + 1] - at[2 * i]);
   }
   return jacobian;
 }

@@ -16,11 +16,13 @@ struct WholeFit {
 };
 
 /// Measured less simulated means, stacked; 0 beyond blocks to fit if `fit_only`. `jobs`: threads.
-Eigen::VectorXd simulatedResidual(const WholeTask& task, const WholeModel& model, bool fit_only,
-                                  int jobs = 1);
+/// Of limbs that hang: what `stage` leaves, less what coarse runs say this model changes in it.
+Eigen::VectorXd simulatedResidual(const WholeTask& task, const WholeStage& stage,
+                                  const WholeModel& model, bool fit_only, int jobs = 1);
 
 /// The same of the blocks to fit by as many runs as a look at a cause replays: rough.
-Eigen::VectorXd roughResidual(const WholeTask& task, const WholeModel& model);
+Eigen::VectorXd roughResidual(const WholeTask& task, const WholeStage& stage,
+                              const WholeModel& model);
 
 /// From these numbers to where the residual that `stage` whitens is least; without its jacobian.
 WholeFit fitModel(const WholeTask& task, const WholeStage& stage, const WholeModel& start,

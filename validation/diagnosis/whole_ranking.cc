@@ -47,7 +47,7 @@ WholeFit WholeSearch::fitFrom(const std::vector<WholeChosen>& beginnings) const 
   for (const WholeChosen& beginning : beginnings) {
     WholeModel model = fit_.model;
     model.push_back(beginning);
-    const double cost = stage_->whitenFit(roughResidual(task_, model)).squaredNorm();
+    const double cost = stage_->whitenFit(roughResidual(task_, *stage_, model)).squaredNorm();
     if (cost >= least) continue;
     least = cost;
     best = std::move(model);
@@ -165,7 +165,8 @@ void WholeSearch::lookAtProvisional() {
   would_show_.resize(provisional_.size());
   inParallel(provisional_.size(), task_.jobs, [&](std::size_t i) {
     const WholeModel model{provisional_[i].chosen};
-    const Eigen::VectorXd residual = stage_->whitenFit(simulatedResidual(task_, model, true));
+    const Eigen::VectorXd residual =
+        stage_->whitenFit(simulatedResidual(task_, *stage_, model, true));
     would_show_[i] = (residual - fit_.residual).norm();
   });
 }

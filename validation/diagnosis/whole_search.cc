@@ -57,7 +57,7 @@ void WholeSearch::enter(const WholeFit& fit) {
   critical_ = quantile(stage_->nullGains(), 1 - false_alarms_);
   spread_of_gain_ = std::max(1.0, critical_ / kWhiteThreshold);
   for (const std::size_t cause : stage_->notTried()) not_tried_.push_back(labelOf(cause, ""));
-  fit_.residual = stage_->whitenFit(simulatedResidual(task_, fit_.model, true));
+  fit_.residual = stage_->whitenFit(simulatedResidual(task_, *stage_, fit_.model, true));
   fit_.cost = fit_.residual.squaredNorm() / 2;
 }
 
@@ -123,7 +123,8 @@ void WholeSearch::compareAgain() {
   tell("comparing again with less noise");
   WholeModel less = fit_.model;
   less.pop_back();
-  const double before = stage_->whitenFit(simulatedResidual(task_, less, true)).squaredNorm() / 2;
+  const double before =
+      stage_->whitenFit(simulatedResidual(task_, *stage_, less, true)).squaredNorm() / 2;
   std::vector<WholeChosen> all = accepted_.back().others;
   all.insert(all.begin(), fit_.model.back());
   std::vector<Candidate> ranking(all.size());
@@ -154,7 +155,7 @@ double WholeSearch::heldOut(const WholeModel& less, const WholeModel& model) con
   const Eigen::Index held = task_.data->size() - task_.data->fitSize();
   if (held == 0) return std::numeric_limits<double>::quiet_NaN();
   const auto tailOf = [&](const WholeModel& of) {
-    return stage_->whitenAll(simulatedResidual(task_, of, false)).tail(held).eval();
+    return stage_->whitenAll(simulatedResidual(task_, *stage_, of, false)).tail(held).eval();
   };
   const Eigen::VectorXd before = tailOf(less), after = tailOf(model);
   if ((before - after).norm() < 2) return std::numeric_limits<double>::quiet_NaN();

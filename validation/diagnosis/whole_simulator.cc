@@ -9,6 +9,7 @@
 #include "sim/world.h"
 #include "validation/diagnosis/gait_numbers.h"
 #include "validation/diagnosis/merge_effects.h"
+#include "validation/diagnosis/replay_start.h"
 #include "validation/diagnosis/run_load.h"
 #include "validation/suspended.h"
 
@@ -89,7 +90,9 @@ class Replay {
   WholeRun run(double settle, std::uint64_t seed) {
     begin();
     take(0);
-    const JointArray<double> start = startAngles(Random(seed, "start"));
+    Random random(seed, "start");
+    const JointArray<double> start =
+        startAngles(robot_, measured_, catalogue_, drawn_ ? &random : nullptr);
     world_.placeRobot(0, {}, &start);
     for (long i = std::lround(settle / measured_.dt); i > 0; --i) {
       world_.readSensors(0);
@@ -119,22 +122,6 @@ class Replay {
           &WholeRun::place}) {
       (played_.*signal).setZero((measured_.*signal).rows(), (measured_.*signal).cols());
     }
-  }
-
-  // Where the links were: feet that stand hold the legs beside their commands. Encoders see the
-  // motors; a motor that pushes is ahead of its link by half the play; else nobody knows.
-  JointArray<double> startAngles(Random random) const {
-    constexpr double kPushes = 0.003;  // [rad] of error: two counts of a Nao's encoder
-    JointArray<double> angle = order_.angle;
-    for (std::size_t j = 0; j < robot_.jointCount(); ++j) {
-      const double measured = measured_.angle(0, static_cast<Eigen::Index>(j));
-      if (measured == 0) continue;
-      const double play = presentDeviation(robot_, j, "backlash", "width", catalogue_);
-      const double side = std::clamp((order_.angle[j] - measured) / kPushes, -1.0, 1.0);
-      const double unknown = drawn_ ? (1 - std::abs(side)) * random.uniform(-1, 1) : 0;
-      angle[j] = measured - (side + unknown) * play / 2;
-    }
-    return angle;
   }
 
   void take(Eigen::Index k) {
@@ -277,7 +264,6 @@ const sim::EffectCatalogue& WholeSimulator::catalogue() const {
   return options_.catalogue ? *options_.catalogue : sim::standardEffects();
 }
 
-// The robot as it was in this run.
 std::shared_ptr<const RobotModel> WholeSimulator::robotOf(const WholeRun& run,
                                                           const std::vector<EffectSetting>& causes,
                                                           double noise) const {

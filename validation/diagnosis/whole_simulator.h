@@ -55,11 +55,12 @@ class WholeSimulator {
   WholeRun simulate(const std::vector<EffectSetting>& causes, std::size_t run, std::uint64_t stream,
                     double noise) const;
 
- private:
+  /// The robot as it was in this run, with what acted on it: noise first.
   std::shared_ptr<const RobotModel> robotOf(const WholeRun& run,
                                             const std::vector<EffectSetting>& causes,
                                             double noise) const;
 
+ private:
   std::shared_ptr<const RobotModel> model_;
   WholeOptions options_;
   std::vector<WholeRun> measured_;

@@ -68,6 +68,18 @@ std::vector<EffectSetting> settingsOf(const std::vector<PlacedCause>& causes,
   return settings;
 }
 
+WholePool fitRuns(const WholeTask& task, const WholeModel& model, bool fit_only, int jobs) {
+  return task.data->simulate(settingsOf(*task.causes, model),
+                             runsPerMeasured(*task.data, task.effort.fit_runs), kAllRuns, fit_only,
+                             number(WholeStream::Base), task.noise, jobs, Pace::Coarse);
+}
+
+WholePool lookRuns(const WholeTask& task, const WholeModel& model, int jobs) {
+  return task.data->simulate(settingsOf(*task.causes, model), 1,
+                             static_cast<std::size_t>(task.effort.look_runs), true,
+                             number(WholeStream::Base), task.noise, jobs, Pace::Coarse);
+}
+
 WholeStage::WholeStage(const WholeTask& task, WholeModel model, const Eigen::MatrixXd& jacobian,
                        const WholeStage* before)
     : task_(task),
@@ -77,6 +89,10 @@ WholeStage::WholeStage(const WholeTask& task, WholeModel model, const Eigen::Mat
   const WholeData& data = *task_.data;
   const std::vector<Eigen::VectorXd> means = meansOf(pool_);
   raw_ = residual(data, means);
+  if (data.hasCoarse()) {
+    coarse_means_ = data.stackMeans(meansOf(fitRuns(task_, model_, false, task_.jobs)));
+    rough_means_ = data.stackMeans(meansOf(lookRuns(task_, model_, task_.jobs)));
+  }
   if (before) {
     takeLooks(*before);
   } else {
@@ -150,9 +166,7 @@ void WholeStage::takeLooks(const WholeStage& before) {
 // The first runs of the pool: the streams that a look has too.
 std::vector<Eigen::VectorXd> WholeStage::firstRuns() const {
   std::vector<Eigen::VectorXd> base(task_.data->runs());
-  const WholePool first = task_.data->simulate(
-      settingsOf(*task_.causes, model_), 1, static_cast<std::size_t>(task_.effort.look_runs), true,
-      number(WholeStream::Base), task_.noise, task_.jobs);
+  const WholePool first = lookRuns(task_, model_, task_.jobs);
   for (std::size_t run = 0; run < base.size(); ++run) {
     if (!first[run].empty()) base[run] = first[run].front();
   }
@@ -177,9 +191,7 @@ WholeLook WholeStage::look(std::size_t cause, const std::vector<double>& x,
                            const std::vector<Eigen::VectorXd>& base) const {
   WholeModel with = model_;
   with.push_back({cause, x});
-  const WholePool pool = task_.data->simulate(settingsOf(*task_.causes, with), 1,
-                                              static_cast<std::size_t>(task_.effort.look_runs),
-                                              true, number(WholeStream::Base), task_.noise, 1);
+  const WholePool pool = lookRuns(task_, with, 1);
   std::vector<Eigen::VectorXd> change(base.size());
   for (std::size_t run = 0; run < base.size(); ++run) {
     if (base[run].size() > 0 && !pool[run].empty()) change[run] = pool[run].front() - base[run];

@@ -39,6 +39,11 @@ struct WholeTask {
   long granted = kNoLimit;  // simulated runs, of data
 };
 
+/// Runs of a model by the coarse pace: as many as a fit takes, and as a look does of the blocks to
+/// fit.
+WholePool fitRuns(const WholeTask& task, const WholeModel& model, bool fit_only, int jobs);
+WholePool lookRuns(const WholeTask& task, const WholeModel& model, int jobs);
+
 /// A model of a whole robot compared with its measurement: residual, a look at every cause, and
 /// the residuals of sets that the model itself makes (nulls), undeclared differences between equal
 /// robots included.
@@ -53,6 +58,10 @@ class WholeStage {
   const std::vector<WholeLook>& looks() const { return looks_; }
   const std::vector<std::size_t>& notTried() const { return not_tried_; }  // out of budget
   const Eigen::VectorXd& raw() const { return raw_; }  // measured minus simulated means
+  /// Simulated means of the model by the coarse runs of a fit, and of a look: to subtract from
+  /// those of another model. Empty if coarse runs are as good as any.
+  const Eigen::VectorXd& coarseMeans() const { return coarse_means_; }
+  const Eigen::VectorXd& roughMeans() const { return rough_means_; }
   const Eigen::VectorXd& sd() const { return noise_.sd(); }
   const std::vector<Eigen::VectorXd>& nulls() const { return nulls_; }  // raw
   double simulatedPerRun() const;  // runs of the model, for each that was measured
@@ -85,7 +94,7 @@ class WholeStage {
   WholeModel model_;
   WholePool pool_;
   WholeNoise noise_;
-  Eigen::VectorXd raw_;
+  Eigen::VectorXd raw_, coarse_means_, rough_means_;
   std::vector<WholeLook> looks_;
   std::vector<std::size_t> not_tried_;
   Eigen::MatrixXd undeclared_;  // one SD of each difference between equal robots

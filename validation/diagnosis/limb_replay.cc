@@ -1,0 +1,63 @@
+#include "validation/diagnosis/limb_replay.h"
+
+#include "core/random.h"
+#include "sim/hinge_run.h"
+#include "validation/diagnosis/limb.h"
+#include "validation/diagnosis/replay_start.h"
+#include "validation/suspended.h"
+
+namespace nao::validation {
+namespace {
+
+constexpr double kSettle = 0.5;  // [s] of rest before a run: only limbs swing
+
+}  // namespace
+
+LimbReplay::LimbReplay(const WholeSimulator& whole, const std::vector<Joint>& joints, Duration step)
+    : whole_(whole), step_(step) {
+  for (const Joint joint : joints) names_.push_back(whole.model().actuators[index(joint)].name);
+  const RobotModel limbs = cutLimbs(whole.model(), names_);
+  for (const Actuator& motor : limbs.actuators) {
+    kept_.push_back(*whole.model().findJoint(motor.name));
+  }
+  for (const WholeRun& run : whole.measured()) orders_.push_back(ordersOf(run));
+}
+
+std::vector<JointCommand> LimbReplay::ordersOf(const WholeRun& measured) const {
+  const JointCommand none{JointArray<double>(kept_.size()), JointArray<double>(kept_.size())};
+  std::vector<JointCommand> orders(static_cast<std::size_t>(measured.rows()), none);
+  for (Eigen::Index k = 0; k < measured.rows(); ++k) {
+    JointCommand& order = orders[static_cast<std::size_t>(k)];
+    for (std::size_t j = 0; j < kept_.size(); ++j) {
+      const auto column = static_cast<Eigen::Index>(index(kept_[j]));
+      order.angle[j] = measured.command(k, column);
+      order.stiffness[j] = measured.stiffness(k, column);
+    }
+  }
+  return orders;
+}
+
+WholeRun LimbReplay::simulate(const std::vector<EffectSetting>& causes, std::size_t run,
+                              std::uint64_t stream, double noise) const {
+  const WholeRun& measured = whole_.measured()[run];
+  const auto robot = whole_.robotOf(measured, causes, noise);
+  Random random(stream, "start");
+  const JointArray<double> start =
+      startAngles(*robot, measured, whole_.catalogue(), stream != 0 ? &random : nullptr);
+  const RobotModel limbs = cutLimbs(stripped(*robot), names_);
+  sim::HingeRun how{kSettle, step_, 1, stream, 0, inertiaEvery(step_)};
+  how.start = JointArray<double>(kept_.size());
+  for (std::size_t j = 0; j < kept_.size(); ++j) (*how.start)[j] = start[kept_[j]];
+  const sim::HingeMotion motion =
+      sim::runHinges(limbs, limbs.effects, orders_[run], how, whole_.catalogue());
+  WholeRun played;
+  played.dt = measured.dt;
+  played.angle = Eigen::MatrixXd::Zero(measured.rows(), measured.angle.cols());
+  for (std::size_t j = 0; j < kept_.size(); ++j) {
+    played.angle.col(static_cast<Eigen::Index>(index(kept_[j]))) =
+        motion.reported.col(static_cast<Eigen::Index>(j));
+  }
+  return played;
+}
+
+}  // namespace nao::validation
