@@ -89,6 +89,18 @@ class Builder {
     const std::size_t most = joints.empty() ? kStartsEverywhere : kStartsSomewhere;
     if (starts.size() > most) starts.resize(most);
   }
+  // Of each joint, never looked for.
+  void addSpread(const Ids& ids, const std::vector<Joint>& joints) {
+    for (const Joint joint : joints) {
+      for (const char* id : ids) {
+        const Cause* cause = find(id);
+        if (cause == nullptr) continue;
+        all_.push_back(
+            placedCause(*cause, model_.actuators[index(joint)].name, {joint}, model_, measured_));
+        all_.back().cause.free[0].starts.clear();
+      }
+    }
+  }
   // Of the joints that the robot walks on.
   void lookAtZeros(const std::vector<Joint>& joints) {
     for (PlacedCause& one : all_) {
@@ -227,6 +239,25 @@ void addBaseParameters(Builder& builder, const std::string& limb,
   builder.add({"link_mass", "link_com.x", "link_com.y", "link_com.z"}, limb, joints);
 }
 
+// Joints that hang on a motor of these, but are not among them.
+std::vector<Joint> turnedAlong(const RobotModel& model, const std::vector<Joint>& joints) {
+  std::vector<Joint> others;
+  for (const auto& [limb, names] : model.groups) {
+    if (limb != "LLeg" && limb != "RLeg") continue;
+    std::vector<Joint> all;
+    for (const std::string& name : names) all.push_back(*model.findJoint(name));
+    const auto isShared = [&](Joint joint) {
+      return model.actuators[index(joint)].coordinates.size() > 1 &&
+             std::find(joints.begin(), joints.end(), joint) != joints.end();
+    };
+    if (std::none_of(all.begin(), all.end(), isShared)) continue;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(others), [&](Joint joint) {
+      return std::find(joints.begin(), joints.end(), joint) == joints.end();
+    });
+  }
+  return others;
+}
+
 }  // namespace
 
 PlacedCause placedCause(const Cause& cause, const std::string& place,
@@ -292,6 +323,8 @@ std::vector<PlacedCause> limbCauses(const RobotModel& model, const std::string& 
   builder.add({"kp_error", "coulomb_friction", "torque_limit", "command_latency", "command_hold",
                "command_filter", "rate_limit"},
               limb, joints);
+  builder.addSpread({"kd_error", "motor_inertia", "link_mass"}, joints);
+  builder.addSpread({"link_mass"}, turnedAlong(model, joints));
   return builder.take();
 }
 

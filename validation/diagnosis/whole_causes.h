@@ -14,6 +14,8 @@ struct PlacedCause {
   std::string place;          // "robot", "LLeg", "LHipRoll"
   std::vector<Joint> joints;  // it acts on; none: on all, or on the world
 
+  /// Whether it is looked for; else equal robots only differ by it.
+  bool isTried() const { return !cause.free[0].starts.empty(); }
   EffectSetting setting(const std::vector<double>& x) const;
   std::string sentence(const std::string& value) const;
 };
@@ -31,7 +33,8 @@ std::vector<PlacedCause> robotCauses(const RobotModel& model, const std::vector<
 
 /// The causes of the limb level: coupled stops of two of its joints; what hangs on the chain (mass
 /// and its centre, for all links of the limb at once: base parameters); the motor that two hinges
-/// share; and the main causes of its joints, which compete with them.
+/// share; and the main causes of its joints, which compete with them. Beside them what equal robots
+/// differ by in these joints, and in those of a limb that shares a motor with them.
 std::vector<PlacedCause> limbCauses(const RobotModel& model, const std::string& limb,
                                     const std::vector<Joint>& measured);
 

@@ -6,23 +6,14 @@
 #include "validation/diagnosis/team.h"
 
 namespace nao::validation {
-namespace {
-
-// Of a swinging leg that was recorded by 0.25 ms: by such steps the same to the count, by 1 ms off
-// by half a count RMS, at 40 % of the time.
-constexpr Duration kLimbStep = std::chrono::microseconds(250);
-constexpr Duration kCoarseStep = std::chrono::milliseconds(1);
-
-}  // namespace
-
 WholeData::WholeData(const WholeSimulator& simulator, const std::vector<Joint>& joints, bool body)
     : simulator_(simulator),
       block_of_(simulator.measured().size()),
       measured_(simulator.measured().size()),
       joints_(joints.size()) {
   if (!body && simulator.model().fixed_base) {
-    limbs_ = std::make_unique<LimbReplay>(simulator, joints, kLimbStep);
-    coarse_ = std::make_unique<LimbReplay>(simulator, joints, kCoarseStep);
+    limbs_ = std::make_unique<LimbReplay>(simulator, joints, Pace::Exact);
+    coarse_ = std::make_unique<LimbReplay>(simulator, joints, Pace::Coarse);
   }
   for (const WholeBlock& block : simulator.blocks()) {
     const FeatureSpace space(simulator, block, joints, body);

@@ -12,10 +12,6 @@
 
 namespace nao::validation {
 
-/// How a run is simulated. Coarse ones are for what causes change, where the error of a step falls
-/// out; only limbs that hang have any, to others both are the same.
-enum class Pace { Exact, Coarse };
-
 /// Simulated runs of a set: by measured run, as many as asked for.
 using WholePool = std::vector<std::vector<Eigen::VectorXd>>;
 

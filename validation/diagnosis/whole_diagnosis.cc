@@ -54,7 +54,8 @@ class RobotCase {
 
  private:
   // A motor that two legs share belongs to both, and the ground joins them: the limb with most to
-  // explain comes first, and what is found in it acts when the others are searched.
+  // explain comes first, and what is found in it acts when the others are searched. One of which
+  // nothing else was measured is none to be searched.
   void searchLimbs(double false_alarms) {
     struct Part {
       std::string limb;
@@ -65,6 +66,7 @@ class RobotCase {
     std::vector<Part> parts;
     for (const std::string& limb : limbsOf(simulator_.model(), simulator_.joints())) {
       const std::vector<Joint> joints = jointsOf(simulator_.model(), limb, simulator_.judged());
+      if (isOfAnother(limb, joints)) continue;
       parts.push_back({limb, joints, std::make_unique<WholeData>(simulator_, joints, false), 0});
       parts.back().off = calcOff(*parts.back().data);
     }
@@ -75,6 +77,18 @@ class RobotCase {
       search(*part.data, limbCauses(simulator_.model(), part.limb, simulator_.joints()), part.limb,
              part.joints, false_alarms / static_cast<double>(parts.size()));
     }
+  }
+
+  // Whether another limb has all of these joints, and more.
+  bool isOfAnother(const std::string& limb, const std::vector<Joint>& joints) const {
+    const auto limbs = limbsOf(simulator_.model(), simulator_.joints());
+    return std::any_of(limbs.begin(), limbs.end(), [&](const std::string& other) {
+      const auto theirs = jointsOf(simulator_.model(), other, simulator_.judged());
+      return other != limb && theirs.size() > joints.size() &&
+             std::all_of(joints.begin(), joints.end(), [&](Joint joint) {
+               return std::find(theirs.begin(), theirs.end(), joint) != theirs.end();
+             });
+    });
   }
 
   // Square of measured minus simulated means [rad^2].
@@ -104,6 +118,7 @@ class RobotCase {
   void search(const WholeData& data, std::vector<PlacedCause> causes, const std::string& whole,
               const std::vector<Joint>& joints, double false_alarms) {
     const auto unwanted = [&](const PlacedCause& one) {
+      if (!one.isTried()) return false;
       const auto& only = options_.only;
       const std::string placed = one.cause.id + " at " + one.place;
       const auto asked = [&](const std::string& id) { return id == one.cause.id || id == placed; };

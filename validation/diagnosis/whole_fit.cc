@@ -94,6 +94,21 @@ WholeFit fitModel(const WholeTask& task, const WholeStage& stage, const WholeMod
   return {withNumbers(start, point.x), point.residual, {}, point.cost};
 }
 
+WholeFit fitLast(const WholeTask& task, const WholeStage& stage, const WholeModel& with) {
+  const auto modelAt = [&](const std::vector<double>& x) {
+    WholeModel model = with;
+    model.back().x = x;
+    return model;
+  };
+  const auto residual = [&](const std::vector<double>& x) {
+    return stage.white(simulatedResidual(task, stage, modelAt(x), true));
+  };
+  FitSpace space = spaceOf(*task.causes, {with.back()});
+  space.slopes = false;
+  const FitPoint point = leastSquares(residual, space);
+  return {modelAt(point.x), point.residual, {}, point.cost};
+}
+
 Eigen::MatrixXd jacobianOf(const WholeTask& task, const WholeModel& model) {
   const FitSpace space = spaceOf(*task.causes, model);
   const std::vector<double> x = flat(model);

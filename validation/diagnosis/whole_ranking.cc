@@ -14,6 +14,8 @@ namespace {
 // Of a look at a rough cause: sizes at which it is tried, and how many looks of one cause are.
 constexpr double kSizes[] = {0.35, 0.5, 0.7, 1, 1.4};
 constexpr std::size_t kMostLooks = 6;
+// What a fit of one cause must gain for one of all: of the threshold, and of the best one's.
+constexpr double kWorth = 0.5, kBehind = 0.2;
 
 }  // namespace
 
@@ -41,7 +43,8 @@ std::vector<WholeChosen> WholeSearch::beginningsOf(const WholeLook& look, double
   return all;
 }
 
-WholeFit WholeSearch::fitFrom(const std::vector<WholeChosen>& beginnings) const {
+// The model with the beginning that a few runs like best.
+WholeModel WholeSearch::bestOf(const std::vector<WholeChosen>& beginnings) const {
   WholeModel best;
   double least = std::numeric_limits<double>::infinity();
   for (const WholeChosen& beginning : beginnings) {
@@ -52,7 +55,30 @@ WholeFit WholeSearch::fitFrom(const std::vector<WholeChosen>& beginnings) const 
     least = cost;
     best = std::move(model);
   }
-  return fitModel(task_, *stage_, best);
+  return best;
+}
+
+// Fits of all numbers at once cost most of a search: those of the newest alone tell which causes
+// are far behind.
+std::vector<WholeModel> WholeSearch::worthAFit(std::vector<WholeModel> beginnings) {
+  const double before = stage_->white(stage_->raw()).squaredNorm() / 2;
+  std::vector<double> gains(beginnings.size());
+  inParallel(beginnings.size(), task_.jobs, [&](std::size_t i) {
+    const WholeFit quick = fitLast(task_, *stage_, beginnings[i]);
+    gains[i] = before - quick.cost;
+    beginnings[i] = quick.model;
+  });
+  const double most = gains.empty() ? 0 : *std::max_element(gains.begin(), gains.end());
+  std::vector<WholeModel> kept;
+  for (std::size_t i = 0; i < gains.size(); ++i) {
+    const std::size_t cause = beginnings[i].back().cause;
+    if (gains[i] >= std::max(kWorth * critical_, kBehind * most) || provisionalOf(cause)) {
+      kept.push_back(std::move(beginnings[i]));
+    } else {
+      rejected_.push_back({labelOf(cause, ""), gains[i], "others promise more"});
+    }
+  }
+  return kept;
 }
 
 // Of every cause its best look, the best first.
@@ -106,10 +132,13 @@ std::vector<WholeSearch::Candidate> WholeSearch::rank() {
     for (const auto& one : beginnings) not_tried_.push_back(labelOf(one.front().cause, ""));
     beginnings.clear();
   }
-  std::vector<Candidate> ranking(beginnings.size());
-  inParallel(beginnings.size(), task_.jobs, [&](std::size_t i) {
-    ranking[i].cause = beginnings[i].front().cause;
-    ranking[i].fit = fitFrom(beginnings[i]);
+  std::vector<WholeModel> models(beginnings.size());
+  inParallel(beginnings.size(), task_.jobs,
+             [&](std::size_t i) { models[i] = bestOf(beginnings[i]); });
+  if (task_.data->hasCoarse()) models = worthAFit(std::move(models));
+  std::vector<Candidate> ranking(models.size());
+  inParallel(models.size(), task_.jobs, [&](std::size_t i) {
+    ranking[i] = {models[i].back().cause, 0, fitModel(task_, *stage_, models[i])};
     ranking[i].gain = fit_.cost - ranking[i].fit.cost;
   });
   std::stable_sort(ranking.begin(), ranking.end(),

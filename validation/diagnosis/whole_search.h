@@ -85,7 +85,8 @@ class WholeSearch {
   std::string signature() const;
 
   std::vector<WholeChosen> beginningsOf(const WholeLook& look, double scale) const;
-  WholeFit fitFrom(const std::vector<WholeChosen>& beginnings) const;
+  WholeModel bestOf(const std::vector<WholeChosen>& beginnings) const;
+  std::vector<WholeModel> worthAFit(std::vector<WholeModel> beginnings);
   double reachOf(const Candidate& best, const Candidate& other) const;
   std::vector<Rival> rivalsOf(const std::vector<Candidate>& ranking, const Candidate& best) const;
   const PlacedCause& placed(std::size_t cause) const { return (*task_.causes)[cause]; }

@@ -173,20 +173,6 @@ std::vector<Eigen::VectorXd> WholeStage::firstRuns() const {
   return base;
 }
 
-void WholeStage::gatherUndeclared() {
-  std::vector<Eigen::VectorXd> spreads;
-  for (const WholeLook& one : looks_) {
-    const Cause& cause = (*task_.causes)[one.cause].cause;
-    // Small differences, so of several looks the first.
-    if (cause.spread == 0 || one.x[0] != cause.free[0].starts[0]) continue;
-    spreads.push_back(one.raw * (cause.spread / one.x[0]));
-  }
-  undeclared_.resize(task_.data->size(), static_cast<Eigen::Index>(spreads.size()));
-  for (std::size_t i = 0; i < spreads.size(); ++i) {
-    undeclared_.col(static_cast<Eigen::Index>(i)) = spreads[i];
-  }
-}
-
 WholeLook WholeStage::look(std::size_t cause, const std::vector<double>& x,
                            const std::vector<Eigen::VectorXd>& base) const {
   WholeModel with = model_;

@@ -85,6 +85,9 @@ class WholeStage {
   std::vector<Eigen::VectorXd> firstRuns() const;
   void takeLooks(const WholeStage& before);
   void gatherUndeclared();
+  void simulateDifferences(std::vector<Eigen::VectorXd>& spreads) const;
+  void scaleLooks(std::vector<Eigen::VectorXd>& spreads) const;
+  void addLateStarts(std::vector<Eigen::VectorXd>& directions) const;
   bool inModel(std::size_t cause) const;
   WholeLook look(std::size_t cause, const std::vector<double>& x,
                  const std::vector<Eigen::VectorXd>& base) const;
