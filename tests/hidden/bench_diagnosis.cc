@@ -25,7 +25,7 @@ struct Arguments {
   std::string shard = "1/1";
   bool json = false, add = false;
   int most = 0;
-  std::string kind, record;
+  std::string kind, level, record;
   std::vector<std::string> results;  // that are there already
   Counts counts;
   TrialPlace place;
@@ -57,15 +57,18 @@ std::map<std::string, std::string> readDone(const fs::path& file) {
   return done;
 }
 
-// Those of the preset that --kind leaves.
+// Those of the preset that --kind and --level leave.
 std::vector<HiddenCase> chosenCases(const Arguments& arguments) {
   std::vector<HiddenCase> cases = makeCases(arguments.counts, arguments.seed);
-  if (arguments.kind.empty()) return cases;
-  const auto is_other = [&](const HiddenCase& one) { return nameOf(one.kind) != arguments.kind; };
+  const auto is_other = [&](const HiddenCase& one) {
+    return (!arguments.kind.empty() && nameOf(one.kind) != arguments.kind) ||
+           (!arguments.level.empty() && one.level != arguments.level);
+  };
   cases.erase(std::remove_if(cases.begin(), cases.end(), is_other), cases.end());
   if (cases.empty()) {
-    throw InputError("--kind: expected a kind of set that preset " + arguments.preset +
-                     " holds, such as single or exact_null, found '" + arguments.kind + "'");
+    throw InputError("--kind, --level: expected what preset " + arguments.preset +
+                     " holds, such as single or exact_null, joint or limb, found '" +
+                     arguments.kind + "', '" + arguments.level + "'");
   }
   return cases;
 }
@@ -149,6 +152,7 @@ int main(int argc, char** argv) {
   app.add_option("--most", arguments.most, "Stop after this many sets more; 0: all.");
   app.add_option("--kind", arguments.kind,
                  "Sets of this kind alone, such as single or exact_null.");
+  app.add_option("--level", arguments.level, "Sets of this level alone: joint, limb or robot.");
   app.add_option("--results", arguments.results,
                  "results.jsonl of earlier calls: their figures, no new sets.");
   app.add_option("--record", arguments.record,
