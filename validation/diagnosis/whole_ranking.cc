@@ -58,24 +58,32 @@ WholeModel WholeSearch::bestOf(const std::vector<WholeChosen>& beginnings) const
   return best;
 }
 
+// Of each beginning the newest cause's numbers alone.
+std::vector<WholeSearch::Candidate> WholeSearch::fittedAlone(
+    const std::vector<WholeModel>& beginnings) const {
+  const double before =
+      stage_->white(simulatedResidual(task_, *stage_, fit_.model, true, task_.jobs)).squaredNorm() /
+      2;
+  std::vector<Candidate> fitted(beginnings.size());
+  inParallel(beginnings.size(), task_.jobs, [&](std::size_t i) {
+    fitted[i] = {beginnings[i].back().cause, 0, fitLast(task_, *stage_, beginnings[i])};
+    fitted[i].gain = before - fitted[i].fit.cost;
+  });
+  return fitted;
+}
+
 // Fits of all numbers at once cost most of a search: those of the newest alone tell which causes
 // are far behind.
-std::vector<WholeModel> WholeSearch::worthAFit(std::vector<WholeModel> beginnings) {
-  const double before = stage_->white(stage_->raw()).squaredNorm() / 2;
-  std::vector<double> gains(beginnings.size());
-  inParallel(beginnings.size(), task_.jobs, [&](std::size_t i) {
-    const WholeFit quick = fitLast(task_, *stage_, beginnings[i]);
-    gains[i] = before - quick.cost;
-    beginnings[i] = quick.model;
-  });
-  const double most = gains.empty() ? 0 : *std::max_element(gains.begin(), gains.end());
+std::vector<WholeModel> WholeSearch::worthAFit(const std::vector<Candidate>& alone) {
+  double most = 0;
+  for (const Candidate& one : alone) most = std::max(most, one.gain);
   std::vector<WholeModel> kept;
-  for (std::size_t i = 0; i < gains.size(); ++i) {
-    const std::size_t cause = beginnings[i].back().cause;
-    if (gains[i] >= std::max(kWorth * critical_, kBehind * most) || provisionalOf(cause)) {
-      kept.push_back(std::move(beginnings[i]));
+  for (const Candidate& one : alone) {
+    const bool worth = one.gain >= std::max(kWorth * critical_, kBehind * most);
+    if (worth || provisionalOf(one.cause) != nullptr) {
+      kept.push_back(one.fit.model);
     } else {
-      rejected_.push_back({labelOf(cause, ""), gains[i], "others promise more"});
+      rejected_.push_back({labelOf(one.cause, ""), one.gain, "others promise more"});
     }
   }
   return kept;
@@ -125,6 +133,16 @@ std::vector<std::vector<WholeChosen>> WholeSearch::finalists() {
   return all;
 }
 
+std::vector<WholeSearch::Candidate> WholeSearch::fittedFully(
+    const std::vector<WholeModel>& beginnings) const {
+  std::vector<Candidate> fitted(beginnings.size());
+  inParallel(beginnings.size(), task_.jobs, [&](std::size_t i) {
+    fitted[i] = {beginnings[i].back().cause, 0, fitModel(task_, *stage_, beginnings[i])};
+    fitted[i].gain = fit_.cost - fitted[i].fit.cost;
+  });
+  return fitted;
+}
+
 std::vector<WholeSearch::Candidate> WholeSearch::rank() {
   auto beginnings = finalists();
   if (!beginnings.empty()) tell("fitting " + std::to_string(beginnings.size()) + " causes");
@@ -135,12 +153,8 @@ std::vector<WholeSearch::Candidate> WholeSearch::rank() {
   std::vector<WholeModel> models(beginnings.size());
   inParallel(beginnings.size(), task_.jobs,
              [&](std::size_t i) { models[i] = bestOf(beginnings[i]); });
-  if (task_.data->hasCoarse()) models = worthAFit(std::move(models));
-  std::vector<Candidate> ranking(models.size());
-  inParallel(models.size(), task_.jobs, [&](std::size_t i) {
-    ranking[i] = {models[i].back().cause, 0, fitModel(task_, *stage_, models[i])};
-    ranking[i].gain = fit_.cost - ranking[i].fit.cost;
-  });
+  std::vector<Candidate> ranking = fittedAlone(models);
+  if (!fit_.model.empty()) ranking = fittedFully(worthAFit(ranking));
   std::stable_sort(ranking.begin(), ranking.end(),
                    [](const Candidate& a, const Candidate& b) { return a.gain > b.gain; });
   return ranking;

@@ -86,7 +86,9 @@ class WholeSearch {
 
   std::vector<WholeChosen> beginningsOf(const WholeLook& look, double scale) const;
   WholeModel bestOf(const std::vector<WholeChosen>& beginnings) const;
-  std::vector<WholeModel> worthAFit(std::vector<WholeModel> beginnings);
+  std::vector<Candidate> fittedAlone(const std::vector<WholeModel>& beginnings) const;
+  std::vector<Candidate> fittedFully(const std::vector<WholeModel>& beginnings) const;
+  std::vector<WholeModel> worthAFit(const std::vector<Candidate>& alone);
   double reachOf(const Candidate& best, const Candidate& other) const;
   std::vector<Rival> rivalsOf(const std::vector<Candidate>& ranking, const Candidate& best) const;
   const PlacedCause& placed(std::size_t cause) const { return (*task_.causes)[cause]; }
