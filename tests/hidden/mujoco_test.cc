@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/check.h"
@@ -71,6 +72,15 @@ TEST_F(MujocoReality, EveryHideoutShows) {
     // Nothing else differs, not even chance.
     EXPECT_GT(rms(anglesOf(recordMujoco(plan)), without), 3e-4) << hideout.law;
   }
+}
+
+// Sizes are looked for far beyond what a joint can have: one that ended the program ended a bench.
+TEST_F(MujocoReality, StopsBeyondEachOtherHoldTheJoint) {
+  RecordingPlan plan = toneOf("HeadYaw", 0);
+  plan.extra = {{"mujoco_range", {{"upper", -10}}, {*plan.model->findJoint("HeadYaw")}, ""}};
+  const auto angles = anglesOf(recordMujoco(plan));
+  const auto [least, most] = std::minmax_element(angles.begin(), angles.end());
+  EXPECT_LT(*most - *least, 0.3);  // of 0.6
 }
 
 TEST_F(MujocoReality, KnowsNoOtherLaws) {

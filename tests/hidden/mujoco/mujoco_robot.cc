@@ -1,5 +1,6 @@
 #include "tests/hidden/mujoco/mujoco_robot.h"
 
+#include <algorithm>
 #include <functional>
 #include <map>
 
@@ -7,6 +8,8 @@
 
 namespace nao::hidden {
 namespace {
+
+constexpr double kShut = 0.01;  // [rad] that stops leave at least: MuJoCo ends the program without
 
 /// One number of an effect, at one joint or, where it acts on the whole robot, at none.
 struct Change {
@@ -43,8 +46,14 @@ const std::map<std::string, Act>& jointActs() {
       {"mujoco_friction_loss.torque", [](const Change& c) { c.motor().friction_loss += c.value; }},
       {"mujoco_damping.coefficient", [](const Change& c) { c.motor().damping += c.value; }},
       {"mujoco_armature.part", [](const Change& c) { c.motor().armature *= 1 + c.value; }},
-      {"mujoco_range.lower", [](const Change& c) { c.hinge().lower += c.value; }},
-      {"mujoco_range.upper", [](const Change& c) { c.hinge().upper += c.value; }},
+      {"mujoco_range.lower",
+       [](const Change& c) {
+         c.hinge().lower = std::min(c.hinge().lower + c.value, c.hinge().upper - kShut);
+       }},
+      {"mujoco_range.upper",
+       [](const Change& c) {
+         c.hinge().upper = std::max(c.hinge().upper + c.value, c.hinge().lower + kShut);
+       }},
       {"mujoco_delay.delay", [](const Change& c) { c.motor().order_delay += c.value; }},
       {"mujoco_late_report.delay", [](const Change& c) { c.motor().report_delay += c.value; }},
       {"mujoco_filter.time", [](const Change& c) { c.motor().order_filter += c.value; }},
