@@ -86,10 +86,11 @@ std::vector<Provisional> provisionalAmong(std::vector<PlacedCause>& causes,
     if (!contains(measured, there)) continue;
     if (!joints.empty() && (there.empty() || !contains(joints, there))) continue;
     const std::size_t at = indexOf(causes, one);
-    if (at == causes.size()) {
+    if (at == causes.size() || !causes[at].isTried()) {
       const Cause* cause = ofJoints(one.cause);
       if (cause == nullptr) continue;
-      causes.push_back(placedCause(lookedAt(*cause, one.x), one.place, there, model, measured));
+      if (at == causes.size()) causes.emplace_back();
+      causes[at] = placedCause(lookedAt(*cause, one.x), one.place, there, model, measured);
     }
     const bool again = std::any_of(found.begin(), found.end(), [&](const Provisional& other) {
       return other.chosen.cause == at;

@@ -74,16 +74,21 @@ TEST(HandedOn, StandsAmongTheCausesOfALevelThatDoesNotTryItByItself) {
   std::vector<PlacedCause> causes = limbCauses(*model, "LLeg", all);
   const std::size_t tried = causes.size();
   const std::vector<HandedOn> handed_on{{"LKneePitch", "backlash", {0.01}, true},
+                                        {"LKneePitch", "rate_limit", {5}, true},
                                         {"LKneePitch", "motor_inertia", {0.5}, true},
                                         {"RKneePitch", "backlash", {0.01}, true},
                                         {"robot", "command_latency", {0.004}, true}};
   const auto found = provisionalAmong(causes, handed_on, leg, *model, all);
-  ASSERT_EQ(found.size(), 2u);  // the others are none of this limb's
+  ASSERT_EQ(found.size(), 3u);  // the others are none of this limb's
   ASSERT_EQ(causes.size(), tried + 1);
   EXPECT_LT(found[0].chosen.cause, tried);
   EXPECT_EQ(found[1].chosen.cause, tried);
-  EXPECT_EQ(causes.back().cause.id, "motor_inertia");
+  EXPECT_EQ(causes.back().cause.id, "rate_limit");
   EXPECT_EQ(causes.back().joints, std::vector<Joint>{*model->findJoint("LKneePitch")});
+  // Robots differ by it: it is looked for now.
+  const PlacedCause& inertia = causes[found[2].chosen.cause];
+  EXPECT_EQ(inertia.cause.id + " at " + inertia.place, "motor_inertia at LKneePitch");
+  EXPECT_TRUE(inertia.isTried());
 }
 
 TEST(HandedOn, WhatNoSearchCanTryIsTold) {
