@@ -241,11 +241,10 @@ void addBaseParameters(Builder& builder, const std::string& limb,
 
 // Joints that hang on a motor of these, but are not among them.
 std::vector<Joint> turnedAlong(const RobotModel& model, const std::vector<Joint>& joints) {
-  std::vector<Joint> others;
-  for (const auto& [limb, names] : model.groups) {
-    if (limb != "LLeg" && limb != "RLeg") continue;
-    std::vector<Joint> all;
-    for (const std::string& name : names) all.push_back(*model.findJoint(name));
+  std::vector<Joint> whole, others;
+  for (std::size_t j = 0; j < model.jointCount(); ++j) whole.push_back(toJoint(j));
+  for (const std::string& limb : limbsOf(model, whole)) {
+    const std::vector<Joint> all = jointsOf(model, limb, whole);
     const auto isShared = [&](Joint joint) {
       return model.actuators[index(joint)].coordinates.size() > 1 &&
              std::find(joints.begin(), joints.end(), joint) != joints.end();

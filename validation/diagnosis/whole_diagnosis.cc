@@ -66,7 +66,10 @@ class RobotCase {
     std::vector<Part> parts;
     for (const std::string& limb : limbsOf(simulator_.model(), simulator_.joints())) {
       const std::vector<Joint> joints = jointsOf(simulator_.model(), limb, simulator_.judged());
-      if (isOfAnother(limb, joints)) continue;
+      if (isOfAnother(limb, joints)) {
+        left_out_.push_back(limb);
+        continue;
+      }
       parts.push_back({limb, joints, std::make_unique<WholeData>(simulator_, joints, false), 0});
       parts.back().off = calcOff(*parts.back().data);
     }
@@ -171,6 +174,11 @@ class RobotCase {
       const std::string& name = simulator_.model().actuators[index(joint)].name;
       all.rejected.push_back({name, 0, "not judged: the ground holds its two hinges together"});
     }
+    for (const std::string& limb : left_out_) {
+      all.rejected.push_back(
+          {limb, 0, "not searched: nothing but a motor that it shares was seen"});
+    }
+    left_out_.clear();
     all.critical_gain = found.critical_gain;
     all.misfit_before = found.misfit_before;
     all.misfit_after = found.misfit_after;
@@ -279,6 +287,7 @@ class RobotCase {
   WholeSpread spread_;
   double left_noise_ = 1;  // with what was found last
   std::vector<EffectSetting> found_;
+  std::vector<std::string> left_out_;  // limbs, until a verdict says so
 };
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace nao::validation {
 namespace {
 
-// [SD] How far small differences are carried to be seen beside chance; as at the joint level.
+// [SD] How far small differences are carried to be seen beside chance; about as at the joint level.
 constexpr double kWidely = 8;
 
 }  // namespace

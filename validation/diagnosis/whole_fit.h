@@ -28,9 +28,9 @@ Eigen::VectorXd roughResidual(const WholeTask& task, const WholeStage& stage,
 WholeFit fitModel(const WholeTask& task, const WholeStage& stage, const WholeModel& start,
                   int jobs = 1);
 
-/// The model with a further cause, its numbers from where `with`, whose last one it is, has them to
-/// where residuals are least beside what the others' could explain, in a straight line: which of
-/// many causes are worth a fit of all numbers. The cost and residual are what that leaves.
+/// Moves the numbers of the last cause of `with` to where residuals are least; the other causes
+/// keep theirs, and what these would explain if they moved a little counts for nothing. Tells which
+/// of many causes are worth a fit of all numbers. Residual and cost: what is left then.
 WholeFit fitLast(const WholeTask& task, const WholeStage& stage, const WholeModel& with);
 
 /// Of the stacked means by every number of the model, a thread of the task each.

@@ -61,9 +61,7 @@ WholeModel WholeSearch::bestOf(const std::vector<WholeChosen>& beginnings) const
 // Of each beginning the newest cause's numbers alone.
 std::vector<WholeSearch::Candidate> WholeSearch::fittedAlone(
     const std::vector<WholeModel>& beginnings) const {
-  const double before =
-      stage_->white(simulatedResidual(task_, *stage_, fit_.model, true, task_.jobs)).squaredNorm() /
-      2;
+  const double before = stage_->beside(fit_.residual).squaredNorm() / 2;
   std::vector<Candidate> fitted(beginnings.size());
   inParallel(beginnings.size(), task_.jobs, [&](std::size_t i) {
     fitted[i] = {beginnings[i].back().cause, 0, fitLast(task_, *stage_, beginnings[i])};

@@ -91,12 +91,13 @@ WholeStage::WholeStage(const WholeTask& task, WholeModel model, const Eigen::Mat
   raw_ = residual(data, means);
   if (data.hasCoarse()) {
     coarse_means_ = data.stackMeans(meansOf(fitRuns(task_, model_, false, task_.jobs)));
-    rough_means_ = data.stackMeans(meansOf(lookRuns(task_, model_, task_.jobs)));
   }
+  const std::vector<Eigen::VectorXd> first = meansOf(lookRuns(task_, model_, task_.jobs));
+  if (data.hasCoarse()) rough_means_ = data.stackMeans(first);
   if (before) {
-    takeLooks(*before);
+    takeLooks(*before, first);
   } else {
-    lookAtAll();
+    lookAtAll(first);
   }
   gatherUndeclared();
   Eigen::MatrixXd directions(data.size(), noise_.directions().cols() + undeclared_.cols());
@@ -116,7 +117,8 @@ WholeStage::WholeStage(const WholeTask& task, WholeModel model, const Eigen::Mat
   simulateNulls(means);
 }
 
-void WholeStage::lookAtAll() {
+// `base`: the first runs of the model, by the streams that a look has too.
+void WholeStage::lookAtAll(const std::vector<Eigen::VectorXd>& base) {
   struct Order {
     std::size_t cause;
     std::vector<double> x;
@@ -129,7 +131,6 @@ void WholeStage::lookAtAll() {
       if (needsStart(cause, start)) orders.push_back({c, start});
     }
   }
-  const std::vector<Eigen::VectorXd> base = firstRuns();
   // What the budget does not pay for is told, not left out in silence.
   const long each = static_cast<long>(task_.effort.look_runs) *
                     static_cast<long>(task_.data->simulator().blocks().size());
@@ -152,25 +153,14 @@ bool WholeStage::inModel(std::size_t cause) const {
 
 // What equal robots differ by shows otherwise beside a gross cause (on a slippery floor): these
 // looks are taken anew.
-void WholeStage::takeLooks(const WholeStage& before) {
+void WholeStage::takeLooks(const WholeStage& before, const std::vector<Eigen::VectorXd>& base) {
   for (const WholeLook& look : before.looks_) {
     if (!inModel(look.cause)) looks_.push_back(look);
   }
-  const std::vector<Eigen::VectorXd> base = firstRuns();
   inParallel(looks_.size(), task_.jobs, [&](std::size_t i) {
     const WholeLook old = looks_[i];
     if ((*task_.causes)[old.cause].cause.spread > 0) looks_[i] = look(old.cause, old.x, base);
   });
-}
-
-// The first runs of the pool: the streams that a look has too.
-std::vector<Eigen::VectorXd> WholeStage::firstRuns() const {
-  std::vector<Eigen::VectorXd> base(task_.data->runs());
-  const WholePool first = lookRuns(task_, model_, task_.jobs);
-  for (std::size_t run = 0; run < base.size(); ++run) {
-    if (!first[run].empty()) base[run] = first[run].front();
-  }
-  return base;
 }
 
 WholeLook WholeStage::look(std::size_t cause, const std::vector<double>& x,
@@ -220,7 +210,10 @@ Eigen::VectorXd WholeStage::whitenFit(const Eigen::VectorXd& raw) const {
   return fit_(raw.head(task_.data->fitSize()));
 }
 Eigen::VectorXd WholeStage::white(const Eigen::VectorXd& raw) const {
-  return without(own_fit_, whitenFit(raw));
+  return beside(whitenFit(raw));
+}
+Eigen::VectorXd WholeStage::beside(const Eigen::VectorXd& whitened) const {
+  return without(own_fit_, whitened);
 }
 Eigen::VectorXd WholeStage::whiteAll(const Eigen::VectorXd& raw) const {
   return without(own_all_, whitenAll(raw));

@@ -72,6 +72,8 @@ class WholeStage {
   Eigen::VectorXd whitenAll(const Eigen::VectorXd& raw) const { return all_(raw); }
   Eigen::VectorXd white(const Eigen::VectorXd& raw) const;
   Eigen::VectorXd whiteAll(const Eigen::VectorXd& raw) const;
+  /// white() of what whitenFit() made of it.
+  Eigen::VectorXd beside(const Eigen::VectorXd& whitened) const;
 
   /// What a look explains of a white() residual at its best scale [nats].
   static double gain(const WholeLook& look, const Eigen::VectorXd& white, double* scale = nullptr);
@@ -81,9 +83,8 @@ class WholeStage {
   std::vector<double> nullMisfits() const;
 
  private:
-  void lookAtAll();
-  std::vector<Eigen::VectorXd> firstRuns() const;
-  void takeLooks(const WholeStage& before);
+  void lookAtAll(const std::vector<Eigen::VectorXd>& base);
+  void takeLooks(const WholeStage& before, const std::vector<Eigen::VectorXd>& base);
   void gatherUndeclared();
   void simulateDifferences(std::vector<Eigen::VectorXd>& spreads) const;
   void scaleLooks(std::vector<Eigen::VectorXd>& spreads) const;
