@@ -16,6 +16,10 @@ namespace {
 // Of an exact run, in coarse ones: a limb of four joints against a rig.
 constexpr long kExactCost = 40;
 
+constexpr char kRounding[] = "encoder_quantum";
+
+bool roundsReadings(const EffectSetting& cause) { return cause.name == kRounding; }
+
 // The sum of as many of these runs, drawn by chance, each once.
 Eigen::VectorXd sumOfDifferent(const Eigen::MatrixXd& runs, Eigen::Index repeats, Random& random) {
   std::vector<Eigen::Index> order(static_cast<std::size_t>(runs.cols()));
@@ -42,21 +46,6 @@ Eigen::VectorXd sumOfAny(const Eigen::MatrixXd& runs, Eigen::Index repeats, Rand
 }
 
 }  // namespace
-
-Halves RunPool::halves() const {
-  Halves halves{Eigen::VectorXd(mean.size()), Eigen::VectorXd(mean.size())};
-  Eigen::Index offset = 0;
-  for (const Eigen::MatrixXd& columns : runs) {
-    const auto every = [&](Eigen::Index first) -> Eigen::VectorXd {
-      const Eigen::MatrixXd half = columns(Eigen::all, Eigen::seq(first, Eigen::last, 2));
-      return half.rowwise().mean();
-    };
-    halves.first.segment(offset, columns.rows()) = every(0);
-    halves.second.segment(offset, columns.rows()) = every(1);
-    offset += columns.rows();
-  }
-  return halves;
-}
 
 Eigen::VectorXd RunPool::measuredAgain(const JointData& data, std::uint64_t seed) const {
   Random random(seed, "measured again");
@@ -99,60 +88,71 @@ Eigen::VectorXd Ensemble::recalled(const std::function<Eigen::VectorXd()>& simul
   return result;
 }
 
-Halves Ensemble::halves(const std::vector<EffectSetting>& causes, int runs) {
-  return halvesOf(joint_.coarse(), causes, runs, noise_);
+Halves Ensemble::halves(const std::vector<EffectSetting>& causes, int runs, Over motions) {
+  return halvesOf(joint_.coarse(), causes, runs, motions);
 }
 
-Halves Ensemble::roughHalves(const std::vector<EffectSetting>& causes, int runs) {
-  return halvesOf(joint_.rough(), causes, runs, noise_);
+Halves Ensemble::roughHalves(const std::vector<EffectSetting>& causes, int runs, Over motions) {
+  return halvesOf(joint_.rough(), causes, runs, motions);
 }
 
-Halves Ensemble::unroundedHalves(const std::vector<EffectSetting>& causes, int runs) {
-  JointNoise noise = noise_;
-  noise.quantum = 0;
-  std::vector<EffectSetting> all = causes;
-  const double own = joint_.present("encoder_quantum", "quantum");
-  if (own != 0) all.push_back({"encoder_quantum", {{"quantum", -own}}, joint_.place(), ""});
-  return halvesOf(joint_.rough(), all, runs, noise);
+Halves Ensemble::exactHalves(const std::vector<EffectSetting>& causes, int runs, Over motions) {
+  return halvesOf(joint_.exact(), causes, runs, motions);
+}
+
+// All that was given too, without rounding unless a cause alters it.
+Ensemble::Prediction Ensemble::unrounded(const std::vector<EffectSetting>& causes) const {
+  Prediction of{withGiven(causes), noise_};
+  if (std::any_of(of.causes.begin(), of.causes.end(), roundsReadings)) return of;
+  of.noise.quantum = 0;
+  const double own = joint_.present(kRounding, "quantum");
+  if (own != 0) of.causes.push_back({kRounding, {{"quantum", -own}}, joint_.place(), ""});
+  return of;
 }
 
 Halves Ensemble::halvesOf(const JointSimulator& joint, const std::vector<EffectSetting>& causes,
-                          int runs, const JointNoise& noise) {
+                          int runs, Over motions) {
   NAO_CHECK(runs % 2 == 0 && runs > 0);
-  return {recalled([&] { return meanOf(joint, causes, 0, runs, 2, noise); }),
-          recalled([&] { return meanOf(joint, causes, 1, runs, 2, noise); })};
+  const Prediction of = unrounded(causes);
+  return {recalled([&] { return meanOf(joint, of, motions, 0, runs, 2); }),
+          recalled([&] { return meanOf(joint, of, motions, 1, runs, 2); })};
 }
 
 Eigen::VectorXd Ensemble::rough(const std::vector<EffectSetting>& causes) {
-  return recalled([&] { return meanOf(joint_.rough(), causes, 0, 1, 1, noise_); });
+  return recalled([&] { return meanOf(joint_.rough(), unrounded(causes), Over::Fit, 0, 1, 1); });
 }
 
 Eigen::VectorXd Ensemble::roughOf(const std::vector<EffectSetting>& causes,
                                   const MotionSpan& span) {
   return recalled([&]() -> Eigen::VectorXd {
     ++used_;
+    const Prediction of = unrounded(causes);
     const std::uint64_t stream = streamOf(StreamUse::Mean, span.motion, 0);
-    return joint_.rough().run(withGiven(causes), span.motion, stream, noise_).reshaped();
+    return joint_.rough().run(of.causes, span.motion, stream, of.noise).reshaped();
   });
 }
 
 // Of every `every`-th of the runs 0 to `runs` - 1, from the `first` on.
-Eigen::VectorXd Ensemble::meanOf(const JointSimulator& joint,
-                                 const std::vector<EffectSetting>& causes, int first, int runs,
-                                 int every, const JointNoise& noise) {
-  const std::vector<EffectSetting> all = withGiven(causes);
+Eigen::VectorXd Ensemble::meanOf(const JointSimulator& joint, const Prediction& of, Over motions,
+                                 int first, int runs, int every) {
   const int count = (runs - first + every - 1) / every;
   std::vector<Eigen::MatrixXd> means;
   for (const MotionSpan& span : data_.spans()) {
-    const std::size_t m = span.motion;
-    Eigen::MatrixXd sum = joint.run(all, m, streamOf(StreamUse::Mean, m, first), noise);
-    for (int r = first + every; r < runs; r += every) {
-      sum += joint.run(all, m, streamOf(StreamUse::Mean, m, r), noise);
-    }
+    if (motions == Over::Fit && span.split != Split::Fit) break;  // fit motions come first
+    const auto run = [&](int r) {
+      const std::uint64_t stream = streamOf(StreamUse::Mean, span.motion, r);
+      return joint.run(of.causes, span.motion, stream, of.noise);
+    };
+    Eigen::MatrixXd sum = run(first);
+    for (int r = first + every; r < runs; r += every) sum += run(r);
     means.push_back(sum / count);
-    used_ += count;
+    used_ += count * costOf(joint);
   }
   return data_.stack(means);
+}
+
+long Ensemble::costOf(const JointSimulator& joint) const {
+  return &joint == &joint_.exact() && &joint != &joint_ ? kExactCost : 1;
 }
 
 // On tape: the runs of every span one after the other.
@@ -179,7 +179,6 @@ RunPool Ensemble::pool(const std::vector<EffectSetting>& causes, int runs) {
 RunPool Ensemble::simulatedPool(const std::vector<EffectSetting>& causes, int runs) {
   const std::vector<EffectSetting> all = withGiven(causes);
   const JointSimulator& joint = joint_.exact();
-  const long cost = &joint == &joint_ ? 1 : kExactCost;
   RunPool pool;
   for (const MotionSpan& span : data_.spans()) {
     const std::size_t m = span.motion;
@@ -188,7 +187,7 @@ RunPool Ensemble::simulatedPool(const std::vector<EffectSetting>& causes, int ru
       columns.col(r) = joint.run(all, m, streamOf(StreamUse::Pool, m, r), noise_).reshaped();
     }
     pool.runs.push_back(std::move(columns));
-    used_ += runs * cost;
+    used_ += runs * costOf(joint);
   }
   return pool;
 }

@@ -24,13 +24,15 @@ struct RunPool {
   std::vector<Eigen::MatrixXd> runs;  // by span; a column per run, signal by signal, row by row
   Eigen::VectorXd mean;               // stacked as JointData
 
-  /// `mean` by the runs of even and of odd streams, an even number of runs.
-  Halves halves() const;
   /// What a set measured again would differ from `mean`, were the mean's runs others: the mean of
   /// as many runs of each span as it has repeats, drawn by `seed` (different ones, as long as they
   /// are not nearly all), widened by what the mean itself is uncertain. Two runs or more.
   Eigen::VectorXd measuredAgain(const JointData& data, std::uint64_t seed) const;
 };
+
+/// Which motions are simulated: those that numbers are fitted to, or those that choose between
+/// causes as well.
+enum class Over { Fit, All };
 
 /// The stream of one repeat of one motion: the same for every list of causes.
 constexpr std::uint64_t streamOf(StreamUse use, std::size_t motion, int repeat) {
@@ -40,7 +42,8 @@ constexpr std::uint64_t streamOf(StreamUse use, std::size_t motion, int repeat) 
 
 /// Predicts the mean of a joint's noisy runs, stacked as its JointData, and counts the runs. What
 /// is compared with the measurement comes from a pool of exact() runs; what causes change, from
-/// coarse() ones. One thread.
+/// runs before an encoder rounds them: of a mean that moves by a tenth of a count, rounded readings
+/// are mostly chance. Causes that alter the rounding itself are seen with it. One thread.
 class Ensemble {
  public:
   /// `granted`: how many runs may be simulated in all.
@@ -49,16 +52,15 @@ class Ensemble {
 
   /// Mean of `runs` runs per motion in coarse steps, an even number, by the runs of even and of odd
   /// streams, to subtract from another of as many: the same random numbers for every list of
-  /// causes.
-  Halves halves(const std::vector<EffectSetting>& causes, int runs);
-  /// The same of rough runs, and of one rough run.
-  Halves roughHalves(const std::vector<EffectSetting>& causes, int runs);
+  /// causes. Over fit motions it ends where they do.
+  Halves halves(const std::vector<EffectSetting>& causes, int runs, Over motions = Over::All);
+  /// The same of rough and of exact runs, and of one rough run of the fit motions.
+  Halves roughHalves(const std::vector<EffectSetting>& causes, int runs, Over motions = Over::All);
+  Halves exactHalves(const std::vector<EffectSetting>& causes, int runs, Over motions = Over::All);
   Eigen::VectorXd rough(const std::vector<EffectSetting>& causes);
-  /// Of rough runs before an encoder rounds them: what rounding does to small changes is chance.
-  Halves unroundedHalves(const std::vector<EffectSetting>& causes, int runs);
   /// Of one motion alone.
   Eigen::VectorXd roughOf(const std::vector<EffectSetting>& causes, const MotionSpan& span);
-  /// `runs` exact runs per motion.
+  /// `runs` exact runs per motion, as an encoder reports them.
   RunPool pool(const std::vector<EffectSetting>& causes, int runs);
 
   /// Fits the noise anew, with these causes in the model: what shakes a joint or holds it is no
@@ -83,12 +85,19 @@ class Ensemble {
   bool spent() const { return used_ >= granted_; }
 
  private:
+  struct Prediction {  // of what, with which noise
+    std::vector<EffectSetting> causes;
+    JointNoise noise;
+  };
+
   Eigen::VectorXd recalled(const std::function<Eigen::VectorXd()>& simulate);
   RunPool simulatedPool(const std::vector<EffectSetting>& causes, int runs);
   Halves halvesOf(const JointSimulator& joint, const std::vector<EffectSetting>& causes, int runs,
-                  const JointNoise& noise);
-  Eigen::VectorXd meanOf(const JointSimulator& joint, const std::vector<EffectSetting>& causes,
-                         int first, int runs, int every, const JointNoise& noise);
+                  Over motions);
+  Eigen::VectorXd meanOf(const JointSimulator& joint, const Prediction& of, Over motions, int first,
+                         int runs, int every);
+  long costOf(const JointSimulator& joint) const;
+  Prediction unrounded(const std::vector<EffectSetting>& causes) const;
   std::vector<EffectSetting> withGiven(const std::vector<EffectSetting>& causes) const;
 
   const JointSimulator& joint_;

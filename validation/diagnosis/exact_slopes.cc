@@ -47,7 +47,7 @@ class Slopes {
     return (above - below) * (1 / (2 * width));
   }
 
-  Halves runsHere() { return ensemble_.pool(settingsOf(causes_, fit_.model), runs_).halves(); }
+  Halves runsHere() { return ensemble_.exactHalves(settingsOf(causes_, fit_.model), runs_); }
 
   double chance(Eigen::Index column) const {
     const double all = stage_.whitenFit(fit_.jacobian.col(column)).squaredNorm();

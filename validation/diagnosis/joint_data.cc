@@ -79,8 +79,9 @@ void JointData::addMotion(std::size_t motion, const JointMotion& measured,
 }
 
 Eigen::VectorXd JointData::stack(const std::vector<Eigen::MatrixXd>& runs) const {
-  Eigen::VectorXd all(size());
-  for (std::size_t i = 0; i < spans_.size(); ++i) {
+  const MotionSpan& last = spans_[runs.size() - 1];
+  Eigen::VectorXd all(last.offset + last.size());
+  for (std::size_t i = 0; i < runs.size(); ++i) {
     all.segment(spans_[i].offset, spans_[i].size()) = runs[i].reshaped();
   }
   return all;

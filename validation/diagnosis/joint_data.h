@@ -42,7 +42,7 @@ class JointData {
   double quantum() const { return quantum_; }  // [rad] of the encoder, 0: none
   bool hasRepeats() const { return has_repeats_; }
 
-  /// The runs of every motion, one matrix per span, as a stacked vector.
+  /// The runs of every motion, or of the first ones, one matrix per span, as a stacked vector.
   Eigen::VectorXd stack(const std::vector<Eigen::MatrixXd>& runs) const;
   /// The noise of the mean that repeats show without any model.
   std::vector<Eigen::VectorXd> splits() const;

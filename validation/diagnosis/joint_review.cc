@@ -148,7 +148,7 @@ void JointSearch::refine() {
   left_ = stage_->raw();
   if (fit_.model.empty() || ensemble_.spent()) return;
   fit_.model = stage_->model();  // where its residual was taken
-  setExactSlopes(ensemble_, causes_, effort_.base_runs / 3, *stage_, fit_);
+  setExactSlopes(ensemble_, causes_, effort_.slope_runs, *stage_, fit_);
   const Eigen::VectorXd start = columnOf(fit_.model);
   moveNumbers(fit_, stage_->raw(), *stage_, causes_);
   const Eigen::VectorXd change = fit_.jacobian * (columnOf(fit_.model) - start);

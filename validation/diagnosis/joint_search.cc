@@ -15,6 +15,7 @@ constexpr double kLawError = 0.003;
 // Of the same: something small that explains less is the last one, what would follow explains less.
 constexpr double kTrifle = 0.03;
 constexpr double kUnchecked = 3;      // of the threshold: where it acts too briefly for any fold
+constexpr double kBorneOut = 0.5;     // of what a fit promises, by exact runs: free choice
 constexpr double kSharedPart = 0.15;  // of a number: half the width of a slope
 constexpr char kEndOfRange[] = "fits best at the end of its range";
 constexpr double kExcited = 1;  // squared noise SDs of a look: else it cannot be judged
@@ -65,8 +66,10 @@ void JointSearch::give(std::size_t cause, double x) {
 }
 
 double JointSearch::costOf(std::size_t cause, double x) {
-  const Halves change = ensemble_.halves({sharedSetting(cause, x)}, effort_.final_runs) -
-                        ensemble_.halves({}, effort_.final_runs);
+  const auto halves = [&](const std::vector<EffectSetting>& causes) {
+    return ensemble_.halves(causes, effort_.final_runs, Over::Fit);
+  };
+  const Halves change = halves({sharedSetting(cause, x)}) - halves({});
   return -Explained(stage_->white(change), stage_->white(stage_->raw())).gain();
 }
 
@@ -78,14 +81,15 @@ SharedStep JointSearch::stepFrom(std::size_t cause, double x) {
   step.nulls.assign(stage_->nulls().size(), 0);
   if (width <= 0 || ensemble_.spent()) return step;
   const auto halves = [&](double at) {
-    return ensemble_.pool({sharedSetting(cause, at)}, effort_.base_runs / 3).halves();
+    return ensemble_.exactHalves({sharedSetting(cause, at)}, effort_.slope_runs, Over::Fit);
   };
   const Halves slope = stage_->white((halves(x + width) - halves(x - width)) * (1 / (2 * width)));
+  const RunPool here = ensemble_.pool({sharedSetting(cause, x)}, effort_.base_runs / 3);
   const auto along = [&](const Eigen::VectorXd& raw) {
     return slope.mean().dot(stage_->white(raw));
   };
   step.square = std::max(0.0, slope.first.dot(slope.second));
-  step.along = along(data_.mean() - halves(x).mean());
+  step.along = along(data_.mean() - here.mean);
   for (std::size_t n = 0; n < step.nulls.size(); ++n) step.nulls[n] = along(stage_->nulls()[n]);
   return step;
 }
@@ -205,6 +209,14 @@ std::optional<CrossValidation> JointSearch::validated(const Candidate& candidate
 
 bool JointSearch::accept(std::vector<Candidate> ranking) {
   candidates_.weigh(*stage_, byChance(), ranking);
+  const bool accepted = acceptOneOf(ranking);
+  fitted_.clear();
+  if (accepted) return true;
+  for (const Candidate& candidate : ranking) fitted_[candidate.cause] = candidate.gain;
+  return false;
+}
+
+bool JointSearch::acceptOneOf(std::vector<Candidate>& ranking) {
   const double best = ranking.empty() ? 0 : ranking.front().gain;
   int fitted = 0;
   for (Candidate& candidate : ranking) {
@@ -215,11 +227,9 @@ bool JointSearch::accept(std::vector<Candidate> ranking) {
       candidates_.fitFinally(*stage_, candidate);
     }
     if (candidate.gain <= critical()) continue;
-    if (const auto validation = validated(candidate)) {
-      take(candidate, *validation, ranking);
-      return true;
-    }
-    if (takeIfFreed(candidate, ranking)) return true;
+    const auto validation = validated(candidate);
+    if (validation && takeIfBorneOut(candidate, *validation, ranking)) return true;
+    if (!validation && takeIfFreed(candidate, ranking)) return true;
   }
   return false;
 }
@@ -231,6 +241,23 @@ void JointSearch::take(const Candidate& candidate, const CrossValidation& valida
   setRivals(accepted_.size() - 1, ranking, *stage_);
   ensemble_.learnNoise(settingsOf(causes_, candidate.fit.model));
   enterModel(candidate.fit);
+}
+
+// A joint that sticks or rattles may look explained in coarse steps alone. Of little, chance
+// between two ensembles may hide the most.
+bool JointSearch::takeIfBorneOut(const Candidate& candidate, const CrossValidation& validation,
+                                 const std::vector<Candidate>& ranking) {
+  const Eigen::VectorXd raw = stage_->raw();
+  Snapshot before = snapshot();
+  take(candidate, validation, ranking);
+  const double all = half(stage_->whitenFit(raw));
+  const double promised = all - half(stage_->whitenFit(raw - candidate.fit.change.mean()));
+  const double kept = all - half(stage_->white(stage_->raw()));
+  if (kept >= kBorneOut * std::max(0.0, promised)) return true;
+  if (promised - kept < kUnchecked * critical()) return true;
+  restore(std::move(before));
+  reject(candidate.cause, candidate.gain, "runs without approximations do not bear it out");
+  return false;
 }
 
 // One of two causes that act alike, alone, goes as far as it may: only with the other beside it is
@@ -285,6 +312,12 @@ JointVerdict JointSearch::conclude(const NullRecord& others) {
   return verdict;
 }
 
+// What a cause gains by its fit, if there was one in the last round, or by its best look.
+double JointSearch::lastGainOf(std::size_t cause, double by_look) const {
+  const auto fitted = fitted_.find(cause);
+  return fitted == fitted_.end() ? by_look : fitted->second;
+}
+
 void JointSearch::rejectTheRest() {
   const Eigen::VectorXd white = stage_->white(stage_->raw());
   for (std::size_t c = 0; c < causes_.size(); ++c) {
@@ -298,10 +331,13 @@ void JointSearch::rejectTheRest() {
     }
     const auto known = [&](const Rejected& one) { return one.cause == causes_[c].id; };
     if (!looked || std::any_of(rejected_.begin(), rejected_.end(), known)) continue;
+    const double gain = std::max(0.0, lastGainOf(c, best));
     if (response < kExcited) {
-      reject(c, best, "not excited: no motion of this set shows it, it cannot be judged");
+      reject(c, gain, "not excited: no motion of this set shows it, it cannot be judged");
+    } else if (gain > critical()) {
+      reject(c, gain, "explains less than what was tried before it");
     } else {
-      reject(c, best, "its gain is below the threshold");
+      reject(c, gain, "its gain is below the threshold");
     }
   }
 }

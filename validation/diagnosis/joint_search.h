@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -93,8 +94,11 @@ class JointSearch {
   bool newestIsTrifle() const;
   bool newestIsSmall() const;
   bool accept(std::vector<Candidate> ranking);
+  bool acceptOneOf(std::vector<Candidate>& ranking);
   void take(const Candidate& candidate, const CrossValidation& validation,
             const std::vector<Candidate>& ranking);
+  bool takeIfBorneOut(const Candidate& candidate, const CrossValidation& validation,
+                      const std::vector<Candidate>& ranking);
   bool takeIfFreed(const Candidate& candidate, const std::vector<Candidate>& ranking);
   bool isAtEnd(const Chosen& one) const;
   std::optional<CrossValidation> validated(const Candidate& candidate);
@@ -122,6 +126,7 @@ class JointSearch {
   void judgeRemainder(JointVerdict& verdict) const;
   void describe(JointVerdict& verdict);
   Finding findingOf(std::size_t place) const;
+  double lastGainOf(std::size_t cause, double by_look) const;
   void rejectTheRest();
   double misfit(const Stage& stage, const Eigen::VectorXd& raw) const;
   double splitRatio();
@@ -141,6 +146,7 @@ class JointSearch {
   std::vector<Accepted> accepted_;  // in the order of the model
   std::set<std::size_t>
       dropped_;  // causes that a review took out again: else it would go in circles
+  std::map<std::size_t, double> fitted_;  // [nats] by cause, what the last round's fits gained
   std::vector<Rejected> rejected_;
   bool trying_ = false;  // whether a cause at the end of its range is freed by a second one
 };

@@ -58,15 +58,16 @@ std::vector<ProfilePoint> JointSearch::profileOf(std::size_t place, const FoundN
   }
   const Alone alone(*stage_, fit_, column);
   const Eigen::VectorXd left = alone(leftAtFit());
-  const Halves base = ensemble_.roughHalves(settingsOf(causes_, fit_.model), effort_.final_runs);
+  const auto halves = [&](const CauseList& model) {
+    return ensemble_.roughHalves(settingsOf(causes_, model), effort_.look_runs, Over::Fit);
+  };
+  const Halves base = halves(fit_.model);
   for (const double place_in_widths : kPlaces) {
     CauseList beside = fit_.model;
     double& x = beside[place].x[0];
     x += place_in_widths * (number.high - number.low) / 2;
     if (x < cause.free[0].lower || x > cause.free[0].upper) continue;
-    const Halves change =
-        (ensemble_.roughHalves(settingsOf(causes_, beside), effort_.final_runs) - base)
-            .through(alone);
+    const Halves change = (halves(beside) - base).through(alone);
     profile.push_back({x, change.first.dot(change.second) / 2 - change.mean().dot(left)});
   }
   return profile;

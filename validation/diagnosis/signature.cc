@@ -159,6 +159,7 @@ Eigen::VectorXd torqueFactors(const JointData& data, const Stage& stage,
     const std::string& effect = causes[look.cause].effect;
     if (effect != "viscous_friction" && effect != "torque_bias") continue;
     for (const MotionSpan& span : data.spans()) {
+      if (span.split != Split::Fit) continue;
       const Eigen::MatrixXd motion =
           withRates(data.mean().segment(span.offset, span.rows), span.dt);
       const Eigen::MatrixXd change =

@@ -120,9 +120,9 @@ Halves SizeSearch::changeAt(const std::vector<double>& x) const {
   with.push_back({cause_, x});
   const auto settings = settingsOf(causes_, with);
   if (runs_ == Runs::Coarse) {
-    return ensemble_.halves(settings, effort_.look_runs) - stage_.quickBase();
+    return ensemble_.halves(settings, effort_.look_runs, Over::Fit) - stage_.quickBase();
   }
-  return ensemble_.roughHalves(settings, effort_.look_runs) - stage_.lookBase();
+  return ensemble_.roughHalves(settings, effort_.look_runs, Over::Fit) - stage_.lookBase();
 }
 
 }  // namespace nao::validation

@@ -43,8 +43,8 @@ Stage::Stage(Ensemble& ensemble, const JointData& data, const std::vector<Cause>
       effort_(effort) {
   const auto settings = settingsOf(causes, model_);
   pool_ = ensemble.pool(settings, effort.base_runs);
-  quick_base_ = ensemble.halves(settings, effort.look_runs);
-  look_base_ = ensemble.roughHalves(settings, effort.look_runs);
+  quick_base_ = ensemble.halves(settings, effort.look_runs, Over::Fit);
+  look_base_ = ensemble.roughHalves(settings, effort.look_runs, Over::Fit);
   raw_ = data.mean() - pool_.mean;
   look(ensemble, effort);
   const NoiseModes modes = findNoiseModes(pool_, data, data.sd());
@@ -76,8 +76,8 @@ Stage::Stage(const Stage& full, std::size_t without, const Eigen::MatrixXd& jaco
   raw_ -= (ensemble_.halves(settings, effort_.final_runs) -
            ensemble_.halves(before, effort_.final_runs))
               .mean();
-  quick_base_ = ensemble_.halves(settings, effort_.look_runs);
-  look_base_ = ensemble_.roughHalves(settings, effort_.look_runs);
+  quick_base_ = ensemble_.halves(settings, effort_.look_runs, Over::Fit);
+  look_base_ = ensemble_.roughHalves(settings, effort_.look_runs, Over::Fit);
   for (const std::vector<double>& x : startsOf(causes_[cause])) {
     lookAt(ensemble_, cause, x, effort_);
   }
@@ -142,7 +142,8 @@ void Stage::lookAt(Ensemble& ensemble, std::size_t cause, const std::vector<doub
   CauseList with = model_;
   with.push_back({cause, x});
   Look found{cause, x, {}, {}, 0, 0};
-  found.raw = ensemble.roughHalves(settingsOf(causes_, with), effort.look_runs) - look_base_;
+  found.raw =
+      ensemble.roughHalves(settingsOf(causes_, with), effort.look_runs, Over::Fit) - look_base_;
   const double to_lower = what.free[0].lower / x[0], to_upper = what.free[0].upper / x[0];
   found.lower = std::min(to_lower, to_upper);
   found.upper = std::max(to_lower, to_upper);
@@ -178,7 +179,7 @@ Eigen::MatrixXd Stage::directions(const Effort& effort, double start_sd) {
 
 void Stage::simulateDifferences(const Effort& effort) {
   const Halves base =
-      ensemble_.unroundedHalves(settingsOf(causes_, model_), kMoreRuns * effort.look_runs);
+      ensemble_.roughHalves(settingsOf(causes_, model_), kMoreRuns * effort.look_runs);
   for (std::size_t c = 0; c < causes_.size(); ++c) {
     if (causes_[c].spread == 0 || isTaken(c)) continue;
     differences_.push_back(difference(causes_[c], causes_[c].joints, base, effort));
@@ -202,7 +203,7 @@ Halves Stage::difference(const Cause& cause, const std::vector<Joint>& joints, c
   std::vector<EffectSetting> settings = settingsOf(causes_, model_);
   settings.push_back(settingOf(cause, x));
   settings.back().joints = joints;
-  const Halves with = ensemble_.unroundedHalves(settings, kMoreRuns * effort.look_runs);
+  const Halves with = ensemble_.roughHalves(settings, kMoreRuns * effort.look_runs);
   return (with - base) * (cause.spread / x[0]);
 }
 

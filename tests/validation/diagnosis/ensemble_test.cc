@@ -9,18 +9,6 @@
 namespace nao::validation {
 namespace {
 
-// Two motions of two and one rows, four runs each.
-TEST(RunPool, HalvesAreOfEvenAndOfOddStreamsAndMakeTheMean) {
-  Eigen::MatrixXd longer(2, 4), shorter(1, 4);
-  longer << 1, 2, 3, 6, 10, 20, 30, 60;
-  shorter << 5, -1, 7, -3;
-  RunPool pool{{longer, shorter}, Eigen::Vector3d(3, 30, 2)};
-  const Halves halves = pool.halves();
-  EXPECT_EQ(halves.first, Eigen::Vector3d(2, 20, 6));
-  EXPECT_EQ(halves.second, Eigen::Vector3d(4, 40, -2));
-  EXPECT_EQ(halves.mean(), pool.mean);
-}
-
 // 48 runs of independent samples of variance 1.
 RunPool poolOf(const JointData& data) {
   Random random(7, "pool");
@@ -52,16 +40,25 @@ TEST(RunPool, ASetMeasuredAgainVariesAsMuchAsOneThatIs) {
 
 // A link heavier by 0.2 % moves the joint by a sixteenth of a count RMS: 8 rounded runs show mostly
 // which readings happened to flip.
-TEST(Ensemble, ShowsWhatASmallDifferenceDoesBeforeItIsRounded) {
-  const JointNoise still{0.003, 0.05, 0.001, 0.0015};
-  const test::ToyJoint toy({}, 1, still);
-  const JointData data(toy, still);
-  Ensemble ensemble(toy, data, still, 10000);
-  const std::vector<EffectSetting> heavier{{"link_mass", {{"part", 0.002}}, {}, ""}};
-  const Halves rounded = ensemble.roughHalves(heavier, 8) - ensemble.roughHalves({}, 8);
-  const Halves real = ensemble.unroundedHalves(heavier, 8) - ensemble.unroundedHalves({}, 8);
-  EXPECT_LT(rounded.coherence(), 0.7);
-  EXPECT_GT(real.coherence(), 0.99);
+class SmallDifference : public ::testing::Test {
+ protected:
+  double coherenceBeside(const std::vector<EffectSetting>& others) {
+    std::vector<EffectSetting> heavier = others;
+    heavier.push_back({"link_mass", {{"part", 0.002}}, {}, ""});
+    return (ensemble_.roughHalves(heavier, 8) - ensemble_.roughHalves(others, 8)).coherence();
+  }
+
+ private:
+  const JointNoise still_{0.003, 0.05, 0.001, 0.0015};
+  const test::ToyJoint toy_{{}, 1, still_};
+  const JointData data_{toy_, still_};
+  Ensemble ensemble_{toy_, data_, still_, 10000};
+};
+
+TEST_F(SmallDifference, IsSeenBeforeItIsRounded) { EXPECT_GT(coherenceBeside({}), 0.99); }
+
+TEST_F(SmallDifference, IsRoundedBesideACauseThatRounds) {
+  EXPECT_LT(coherenceBeside({{"encoder_quantum", {{"quantum", 0.003}}, {}, ""}}), 0.7);
 }
 
 }  // namespace
