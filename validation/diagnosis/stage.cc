@@ -16,7 +16,6 @@ namespace {
 // Of the most that equal robots differ by: 1 % of a head's weight moved where its centre of mass
 // was told to be by 0.1 %, by directions of 1 and 10 times that size by 1.7 and 0.3 %.
 constexpr double kWidely = 5;
-constexpr int kMoreRuns = 4;  // than of a look: chance in what is left out stays in the numbers
 
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
   if (columns.cols() == 0) return columns;
@@ -178,8 +177,7 @@ Eigen::MatrixXd Stage::directions(const Effort& effort, double start_sd) {
 }
 
 void Stage::simulateDifferences(const Effort& effort) {
-  const Halves base =
-      ensemble_.roughHalves(settingsOf(causes_, model_), kMoreRuns * effort.look_runs);
+  const Halves base = ensemble_.roughHalves(settingsOf(causes_, model_), effort.difference_runs);
   for (std::size_t c = 0; c < causes_.size(); ++c) {
     if (causes_[c].spread == 0 || isTaken(c)) continue;
     differences_.push_back(difference(causes_[c], causes_[c].joints, base, effort));
@@ -203,7 +201,7 @@ Halves Stage::difference(const Cause& cause, const std::vector<Joint>& joints, c
   std::vector<EffectSetting> settings = settingsOf(causes_, model_);
   settings.push_back(settingOf(cause, x));
   settings.back().joints = joints;
-  const Halves with = ensemble_.roughHalves(settings, kMoreRuns * effort.look_runs);
+  const Halves with = ensemble_.roughHalves(settings, effort.difference_runs);
   return (with - base) * (cause.spread / x[0]);
 }
 

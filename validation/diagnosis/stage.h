@@ -17,6 +17,7 @@ namespace nao::validation {
 struct Effort {
   int look_runs = 4;           // per motion, of a candidate's looks and first fit
   int final_runs = 16;         // of the fits of finalists
+  int difference_runs = 32;    // of what equal robots differ by: its chance stays in the numbers
   int slope_runs = 8;          // exact ones, to either side of a number that was found
   int base_runs = 32;          // the same, of the model that the measurement is compared with
   int null_sets = 200;         // drawn from those

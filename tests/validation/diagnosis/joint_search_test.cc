@@ -17,6 +17,7 @@ Effort quick() {
   Effort effort;
   effort.look_runs = 4;
   effort.final_runs = 8;
+  effort.difference_runs = 16;
   effort.base_runs = 24;
   effort.null_sets = 50;
   effort.survivors = 5;
