@@ -1,11 +1,15 @@
 // Hides effects in sets and lets `usarnaoqi diagnose` find them: usarnaoqi-bench-diagnosis.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <mutex>
+#include <set>
+#include <thread>
 
 #include "core/check.h"
 #include "core/files.h"
@@ -13,6 +17,7 @@
 #include "tests/hidden/preset.h"
 #include "tests/hidden/track_record.h"
 #include "tests/hidden/trial.h"
+#include "validation/diagnosis/team.h"
 
 namespace nao::hidden {
 namespace {
@@ -24,7 +29,7 @@ struct Arguments {
   std::uint64_t seed = 1;
   std::string shard = "1/1";
   bool json = false, add = false;
-  int most = 0;
+  int most = 0, at_once = 1;
   std::string kind, level, record;
   std::vector<std::string> results;  // that are there already
   Counts counts;
@@ -77,28 +82,43 @@ double secondsSince(std::chrono::steady_clock::time_point begun) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
 }
 
-// The lines of this shard's sets, those that were there already included.
+// This shard's sets: all that are done already, and of the others as many as --most says.
+std::vector<HiddenCase> casesToTry(const Arguments& arguments, const std::set<std::string>& done) {
+  const Shard shard = parseShard(arguments.shard);
+  const std::vector<HiddenCase> cases = chosenCases(arguments);
+  std::vector<HiddenCase> mine;
+  int more = 0;
+  for (std::size_t i = shard.index; i < cases.size(); i += shard.count) {
+    if (done.count(cases[i].name()) == 0 && arguments.most > 0 && more++ == arguments.most) break;
+    mine.push_back(cases[i]);
+  }
+  return mine;
+}
+
+// The lines of this shard's sets, those that were there already included. Several are tried side by
+// side, each by itself: lines do not depend on how many.
 std::vector<std::string> tryAll(const Arguments& arguments) {
   const auto begun = std::chrono::steady_clock::now();
-  const Shard shard = parseShard(arguments.shard);
   const fs::path results = fs::path(arguments.place.folder) / "results.jsonl";
   fs::create_directories(results.parent_path());
-  std::map<std::string, std::string> done = readDone(results);
-  const std::vector<HiddenCase> cases = chosenCases(arguments);
-  std::vector<std::string> lines;
-  int made = 0;
-  for (std::size_t i = shard.index; i < cases.size(); i += shard.count) {
-    const std::string name = cases[i].name();
-    if (done.count(name) == 0) {
-      if (arguments.most > 0 && made == arguments.most) break;
-      done[name] = runTrial(cases[i], arguments.place);
-      appendToFile("", results.string(), done[name] + "\n");
-      ++made;
+  const std::map<std::string, std::string> before = readDone(results);
+  std::set<std::string> done;
+  for (const auto& [name, line] : before) done.insert(name);
+  const std::vector<HiddenCase> mine = casesToTry(arguments, done);
+  std::vector<std::string> lines(mine.size());
+  std::atomic<std::size_t> next{0};
+  std::size_t ready = 0;
+  std::mutex mutex;
+  const auto at_once = static_cast<std::size_t>(arguments.at_once);
+  validation::inParallel(at_once, arguments.at_once, [&](std::size_t) {
+    for (std::size_t i = next++; i < mine.size(); i = next++) {
+      const auto known = before.find(mine[i].name());
+      lines[i] = known != before.end() ? known->second : runTrial(mine[i], arguments.place);
+      const std::lock_guard<std::mutex> lock(mutex);
+      if (known == before.end()) appendToFile("", results.string(), lines[i] + "\n");
+      std::fprintf(stderr, "\r%zu of %zu sets, %.0f s ", ++ready, mine.size(), secondsSince(begun));
     }
-    lines.push_back(done[name]);
-    std::fprintf(stderr, "\r%zu of %zu sets, %.0f s ", lines.size(),
-                 (cases.size() - shard.index + shard.count - 1) / shard.count, secondsSince(begun));
-  }
+  });
   std::fprintf(stderr, "\n");
   return lines;
 }
@@ -140,6 +160,7 @@ int main(int argc, char** argv) {
   arguments.place.program = (here / "usarnaoqi").string();
   arguments.place.robots_dir = NAO_SOURCE_DIR "/robots";
   arguments.place.folder = "hidden_sets";
+  arguments.at_once = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   app.add_option("--preset", arguments.preset, "quick, standard (300 sets) or full (800).")
       ->capture_default_str();
   app.add_option("--seed", arguments.seed, "Another number, other sets.")->capture_default_str();
@@ -149,6 +170,9 @@ int main(int argc, char** argv) {
                  "Where results.jsonl and reports go; sets that are done already are not repeated.")
       ->capture_default_str();
   app.add_option("--jobs", arguments.place.jobs, "Threads of a diagnosis.")->capture_default_str();
+  app.add_option("--at-once", arguments.at_once,
+                 "Sets that are tried side by side; by default as many as the machine has cores.")
+      ->check(CLI::PositiveNumber);
   app.add_option("--most", arguments.most, "Stop after this many sets more; 0: all.");
   app.add_option("--kind", arguments.kind,
                  "Sets of this kind alone, such as single or exact_null.");

@@ -37,6 +37,8 @@ struct Cause {
   std::string effect;
   std::vector<FreeNumber> free;  // the first is its size; the others shape it
   Scope scope = Scope::Joint;
+  /// Of Scope::Robot, and cannot be one joint's own: there is one gravity.
+  bool one_for_all = false;
   std::vector<Joint> joints{};  // it acts on; filled in by boundedAt(); empty: all
   /// The response is nearly proportional to the size, so that one look serves both signs.
   bool linear = true;

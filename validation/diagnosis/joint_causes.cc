@@ -187,10 +187,12 @@ void addLoad(std::vector<Cause>& all) {
   all.push_back(forAll(one("gravity_scale", "scale", {0.2, -0.2},
                            "gravity acts on {joint} with {value} of nominal",
                            "slow and fast motion: mass has inertia")));
+  all.back().one_for_all = true;
   for (const char* axis : {"x", "y"}) {
     all.push_back(forAll(part("ground_tilt", axis, {0.05}, "{joint}'s base is tilted by {value}",
                               "the same motion after the robot has turned by 90 degrees")));
     all.back().twins = {"encoder_offset"};
+    all.back().one_for_all = true;
   }
 }
 

@@ -124,16 +124,17 @@ void JointCrowd::begin() {
   });
 }
 
-NullRecord JointCrowd::largestNulls(std::size_t left_out) const {
-  NullRecord all;
+OtherJoints JointCrowd::allBut(std::size_t joint) const {
+  OtherJoints all;
   for (std::size_t j = 0; j < looks_.size(); ++j) {
-    if (j == left_out) continue;
+    if (j == joint) continue;
+    all.shared.push_back(looks_[j].shared);
     const NullRecord& one = looks_[j].nulls;
-    all.gains.resize(std::max(all.gains.size(), one.gains.size()), 0);
-    all.remainders.resize(std::max(all.remainders.size(), one.remainders.size()), -1e9);
+    all.nulls.gains.resize(std::max(all.nulls.gains.size(), one.gains.size()), 0);
+    all.nulls.remainders.resize(std::max(all.nulls.remainders.size(), one.remainders.size()), -1e9);
     for (std::size_t n = 0; n < one.gains.size(); ++n) {
-      all.gains[n] = std::max(all.gains[n], one.gains[n]);
-      all.remainders[n] = std::max(all.remainders[n], one.remainders[n]);
+      all.nulls.gains[n] = std::max(all.nulls.gains[n], one.gains[n]);
+      all.nulls.remainders[n] = std::max(all.nulls.remainders[n], one.remainders[n]);
     }
   }
   return all;
@@ -186,8 +187,7 @@ std::vector<JointVerdict> JointCrowd::conclude() {
   const auto answers = ask("verdict", [&](std::size_t j) {
     return options_.kept.remember(unitOf(j, "verdict"), [&] {
       JointVerdict verdict;
-      watched(j, kRestRuns, done_[j].rest,
-              [&] { verdict = searches_[j]->conclude(largestNulls(j)); });
+      watched(j, kRestRuns, done_[j].rest, [&] { verdict = searches_[j]->conclude(allBut(j)); });
       return pack(verdict);
     });
   });

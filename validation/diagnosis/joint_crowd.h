@@ -10,16 +10,6 @@
 
 namespace nao::validation {
 
-/// What a look at a cause of Scope::Robot shows at one joint: the parabola of nats that it is worth
-/// at a scale, along * s - square * s^2 / 2.
-struct SharedPart {
-  std::size_t cause = 0;
-  double x = 0;
-  bool scanned = false;  // one of many sizes
-  double along = 0, square = 0, gain = 0;
-  double lower = 0, upper = 0;  // of the scale
-};
-
 /// What the others must know of a joint that was looked at.
 struct JointLooks {
   NullRecord nulls;
@@ -46,8 +36,8 @@ class JointCrowd {
   void begin();
   /// Of all joints, since begin() or give().
   const std::vector<JointLooks>& looks() const { return looks_; }
-  /// The largest of all joints but `left_out`, by null set.
-  NullRecord largestNulls(std::size_t left_out = static_cast<std::size_t>(-1)) const;
+  /// The largest of all joints, by null set.
+  NullRecord largestNulls() const { return allBut(size()).nulls; }
   /// What each joint gains with this number [nats].
   std::vector<double> gainsAt(std::size_t cause, double x);
   /// Where each joint would have the number instead.
@@ -70,6 +60,7 @@ class JointCrowd {
   void watched(std::size_t joint, double usual, std::atomic<double>& part,
                const std::function<void()>& work);
   void lookAnew(const std::string& question, const std::function<void(std::size_t)>& work);
+  OtherJoints allBut(std::size_t joint) const;
   std::string unitOf(std::size_t joint, const std::string& question) const;
   void tell() const;
 

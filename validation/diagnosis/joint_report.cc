@@ -223,8 +223,8 @@ void JointSearch::judge(JointVerdict& verdict) {
 // What is left, in SDs of what null sets leave.
 void JointSearch::judgeRemainder(JointVerdict& verdict) const {
   std::vector<double> largest = nulls_.remainders;
-  for (std::size_t i = 0; i < largest.size() && i < others_.remainders.size(); ++i) {
-    largest[i] = std::max(largest[i], others_.remainders[i]);
+  for (std::size_t i = 0; i < largest.size() && i < others_.nulls.remainders.size(); ++i) {
+    largest[i] = std::max(largest[i], others_.nulls.remainders[i]);
   }
   double mean = 0, square = 0;
   for (const Eigen::VectorXd& null : stage_->nulls()) {

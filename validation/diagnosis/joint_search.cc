@@ -33,6 +33,21 @@ double quantile(std::vector<double> values, double q) {
   return values[low] + (place - static_cast<double>(low)) * (values[high] - values[low]);
 }
 
+double OtherJoints::costOf(std::size_t cause, double x) const {
+  double cost = 0;
+  for (const std::vector<SharedPart>& joint : shared) {
+    const SharedPart* nearest = nullptr;
+    for (const SharedPart& part : joint) {
+      if (part.cause != cause || part.scanned) continue;
+      if (nearest == nullptr || std::abs(part.x - x) < std::abs(nearest->x - x)) nearest = &part;
+    }
+    if (nearest == nullptr) continue;
+    const double scale = x / nearest->x;
+    cost += std::max(0.0, scale * (scale * nearest->square / 2 - nearest->along));
+  }
+  return cost;
+}
+
 JointSearch::JointSearch(const JointSimulator& joint, const JointNoise& noise,
                          std::vector<Cause> causes, const Effort& effort, long granted_runs)
     : joint_(joint),
@@ -139,8 +154,8 @@ double JointSearch::splitRatio() {
 
 double JointSearch::critical() const {
   std::vector<double> largest = nulls_.gains;
-  for (std::size_t i = 0; i < largest.size() && i < others_.gains.size(); ++i) {
-    largest[i] = std::max(largest[i], others_.gains[i]);
+  for (std::size_t i = 0; i < largest.size() && i < others_.nulls.gains.size(); ++i) {
+    largest[i] = std::max(largest[i], others_.nulls.gains[i]);
   }
   return quantile(largest, 1 - effort_.false_alarms);
 }
@@ -173,6 +188,10 @@ std::string JointSearch::objection(const Stage& stage, const Candidate& candidat
     return "explains no more than what was found may itself be off by";
   }
   if (isAtEnd({candidate.cause, candidate.x})) return kEndOfRange;
+  if (causes_[candidate.cause].one_for_all &&
+      others_.costOf(candidate.cause, candidate.x[0]) > kUnchecked * critical()) {
+    return "there is one for all joints, and others speak against it";
+  }
   return "";
 }
 
@@ -296,7 +315,7 @@ bool JointSearch::step() {
   return accept(candidates_.rankedAt(*stage_, critical()));
 }
 
-JointVerdict JointSearch::conclude(const NullRecord& others) {
+JointVerdict JointSearch::conclude(const OtherJoints& others) {
   others_ = others;
   for (int round = 0; round < 2; ++round) {  // a review may make room for one more
     while (step() && !newestIsTrifle()) {

@@ -23,6 +23,26 @@ struct NullRecord {
   std::vector<double> remainders;  // misfit in SDs of itself
 };
 
+/// What a look at a cause of Scope::Robot shows at one joint: the parabola of nats that it is worth
+/// at a scale, along * s - square * s^2 / 2.
+struct SharedPart {
+  std::size_t cause = 0;
+  double x = 0;
+  bool scanned = false;  // one of many sizes
+  double along = 0, square = 0, gain = 0;
+  double lower = 0, upper = 0;  // of the scale
+};
+
+/// What the other joints of a set show.
+struct OtherJoints {
+  NullRecord nulls;                             // the largest of all, by null set
+  std::vector<std::vector<SharedPart>> shared;  // by joint
+
+  /// [nats] What this number of a cause of Scope::Robot would cost those that it makes worse, as
+  /// far as their looks tell.
+  double costOf(std::size_t cause, double x) const;
+};
+
 /// What one joint says of a number that all joints share, by whitened squares: its least lies at
 /// along / square from here, in null sets at nulls / square.
 struct SharedStep {
@@ -55,8 +75,7 @@ class JointSearch {
   /// For Ensemble::setTape and setWatch.
   Ensemble& ensemble() { return ensemble_; }
 
-  /// `others`: the largest of all other joints, by null set.
-  JointVerdict conclude(const NullRecord& others);
+  JointVerdict conclude(const OtherJoints& others);
 
   const std::vector<Cause>& causes() const { return causes_; }
   const Stage& stage() const { return *stage_; }
@@ -140,7 +159,8 @@ class JointSearch {
   std::unique_ptr<Stage> stage_;
   ModelFit fit_;          // of the model, where it is not empty
   Eigen::VectorXd left_;  // raw residual where its numbers came to rest
-  NullRecord nulls_, others_;
+  NullRecord nulls_;
+  OtherJoints others_;
   std::vector<std::size_t> given_;
   double misfit_before_ = 0, split_ratio_ = 0;
   std::vector<Accepted> accepted_;  // in the order of the model

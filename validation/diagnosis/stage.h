@@ -17,14 +17,14 @@ namespace nao::validation {
 struct Effort {
   int look_runs = 4;           // per motion, of a candidate's looks and first fit
   int final_runs = 16;         // of the fits of finalists
-  int difference_runs = 32;    // of what equal robots differ by: its chance stays in the numbers
-  int slope_runs = 8;          // exact ones, to either side of a number that was found
-  int base_runs = 32;          // the same, of the model that the measurement is compared with
+  int base_runs = 32;          // exact ones, of the model that the measurement is compared with
   int null_sets = 200;         // drawn from those
   int survivors = 8;           // candidates that are fitted at all
   int finalists = 4;           // that are fitted with final_runs
   int most_causes = 4;         // named for one joint
   double false_alarms = 0.01;  // that thresholds let pass, of null sets of the whole set
+  int slope_runs = 8;          // exact ones, to either side of a number that was found
+  int difference_runs = 32;    // of what equal robots differ by: its chance stays in the numbers
 };
 
 /// What switching a cause on does to the prediction, once, at its start values.

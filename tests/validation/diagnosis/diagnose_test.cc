@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <stdexcept>
 
@@ -60,6 +61,23 @@ TEST(Diagnose, NamesAJointsOwnFaultThereAlone) {
   ASSERT_EQ(found.joints[0].named().size(), 1u);
   EXPECT_EQ(found.joints[0].named()[0]->cause, "kp_error");
   EXPECT_TRUE(found.joints[1].named().empty());
+}
+
+// A link that is heavier by a third was told as gravity, of which its neighbour shows nothing.
+TEST(Diagnose, NamesNoGravityThatOneJointAloneFeels) {
+  ToyLaws heavy;
+  heavy.gravity *= 1.3;
+  const auto rejected = [](const SetDiagnosis& found) {
+    const std::vector<Rejected>& all = found.joints[0].rejected;
+    return std::any_of(all.begin(), all.end(), [](const Rejected& one) {
+      return one.cause == "gravity_scale" &&
+             one.reason == "there is one for all joints, and others speak against it";
+    });
+  };
+  EXPECT_FALSE(rejected(diagnose({heavy})));
+  const SetDiagnosis found = diagnose({heavy, {}});
+  EXPECT_TRUE(rejected(found));
+  for (const Finding* one : found.joints[0].named()) EXPECT_NE(one->cause, "gravity_scale");
 }
 
 TEST(Diagnose, SaysTheSameWithAnyNumberOfThreads) {
