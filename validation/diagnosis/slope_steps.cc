@@ -21,6 +21,10 @@ SlopeSteps::SlopeSteps(const Eigen::MatrixXd& slopes, const Eigen::MatrixXd& cha
   Eigen::Index rank = 0;
   while (rank < size.size() && size[rank] > kRank * size[0]) ++rank;
   basis_ = svd.matrixU().leftCols(rank);
+  if (rank == 0) {  // numbers that change nothing move nowhere
+    numbers_.setZero(slopes.cols(), 0);
+    return;
+  }
   const Eigen::MatrixXd inverse =
       svd.matrixV().leftCols(rank) * size.head(rank).cwiseInverse().asDiagonal();
   // In these coordinates the slopes' squares are the identity, the chance's a part of it.

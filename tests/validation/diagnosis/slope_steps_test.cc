@@ -49,6 +49,15 @@ TEST(SlopeSteps, WithoutChanceAreThoseOfLeastSquares) {
   EXPECT_NEAR(step[1], -2, 1e-9);
 }
 
+// A stop that no motion reaches has a slope of exactly nothing before encoders round: that was a
+// segmentation fault.
+TEST(SlopeSteps, AlongNothingMoveNothing) {
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(kRows, 2);
+  const Eigen::VectorXd step = SlopeSteps(none, none)(Eigen::VectorXd::Ones(kRows));
+  ASSERT_EQ(step.size(), 2);
+  EXPECT_EQ(step, Eigen::Vector2d::Zero());
+}
+
 // Chance of one SD in each half is a third of the squares: plain least squares would go two thirds
 // of the way. What is left: the chance's product with the residual, 0.7 * 1.6 / sqrt(4000) = 0.018,
 // and the error of its own squares, 0.02, both by 1.2 / 0.64 as the slopes are alike: an SD of
