@@ -1,11 +1,11 @@
 #include "validation/diagnosis/candidates.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <utility>
 
 #include "validation/diagnosis/beat_search.h"
 #include "validation/diagnosis/joint_data.h"
+#include "validation/diagnosis/span.h"
 
 namespace nao::validation {
 namespace {
@@ -171,8 +171,7 @@ double Candidates::leftBy(const Stage& stage, ModelFit& fit) {
   const Eigen::VectorXd white = stage.whitenFit(left(effort_.base_runs / 2));
   Eigen::MatrixXd own(white.size(), fit.jacobian.cols());
   for (Eigen::Index i = 0; i < own.cols(); ++i) own.col(i) = stage.whitenFit(fit.jacobian.col(i));
-  const Eigen::VectorXd rest = white - own * own.colPivHouseholderQr().solve(white);
-  return rest.squaredNorm() / 2;
+  return without(orthonormal(own), white).squaredNorm() / 2;
 }
 
 }  // namespace nao::validation

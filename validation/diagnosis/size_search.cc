@@ -12,6 +12,7 @@ constexpr int kFollowed = 3, kShortened = 3, kNarrowed = 5;  // steps
 constexpr double kFar = 3;                                   // times a size, in one step
 constexpr double kNear = 0.08;                               // of a size: not worth a step
 constexpr double kBeside = 0.02;                             // of a size, for a slope
+constexpr double kStopStep = 1.12;                           // from one size to the next
 constexpr double kFarAlong = 10;                             // times that, in one step
 
 bool isWorse(const SizeSearch::Point& a, const SizeSearch::Point& b) { return a.gain < b.gain; }
@@ -53,6 +54,15 @@ SizeSearch::Point SizeSearch::scanned(Point best) const {
        {std::vector<double>{0.4, 0.63, 1.6, 2.5}, {0.8, 1.25}, {0.9, 1.11}}) {
     const Point centre = best;
     for (const double factor : row) best = std::max(best, scaled(centre, factor), &isWorse);
+  }
+  return best.gain > 0 || !causes_[cause_].stop ? best : reached(best);
+}
+
+// A stop does nothing until it is reached, and soon afterwards too much.
+SizeSearch::Point SizeSearch::reached(const Point& from) const {
+  Point best = from;
+  for (double factor = kStopStep; factor < kFar; factor *= kStopStep) {
+    best = std::max(best, scaled(from, factor), &isWorse);
   }
   return best;
 }

@@ -32,6 +32,7 @@ class SizeSearch {
  private:
   Point at(const std::vector<double>& x) const;
   Point scanned(Point best) const;
+  Point reached(const Point& from) const;
   Point beating(Point best) const;
   Point alongBend(Point best) const;
   Point shortened(Point best) const;

@@ -1,6 +1,5 @@
 #include "validation/diagnosis/stage.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,6 +7,7 @@
 #include "core/random.h"
 #include "validation/diagnosis/chords.h"
 #include "validation/diagnosis/noise_modes.h"
+#include "validation/diagnosis/span.h"
 #include "validation/diagnosis/start_offsets.h"
 
 namespace nao::validation {
@@ -16,17 +16,6 @@ namespace {
 // Of the most that equal robots differ by: 1 % of a head's weight moved where its centre of mass
 // was told to be by 0.1 %, by directions of 1 and 10 times that size by 1.7 and 0.3 %.
 constexpr double kWidely = 5;
-
-Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
-  if (columns.cols() == 0) return columns;
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
-  return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
-}
-
-Eigen::VectorXd without(const Eigen::MatrixXd& basis, const Eigen::VectorXd& x) {
-  if (basis.cols() == 0) return x;
-  return x - basis * (basis.transpose() * x);
-}
 
 }  // namespace
 
