@@ -172,7 +172,7 @@ int main(int argc, char** argv) {
   app.add_option("--jobs", arguments.place.jobs, "Threads of a diagnosis.")->capture_default_str();
   app.add_option("--at-once", arguments.at_once,
                  "Sets that are tried side by side; by default as many as the machine has cores.")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(1, 1024));
   app.add_option("--most", arguments.most, "Stop after this many sets more; 0: all.");
   app.add_option("--kind", arguments.kind,
                  "Sets of this kind alone, such as single or exact_null.");
