@@ -35,7 +35,7 @@ EffectType cogging() {
   return {"cogging",
           "The joint's torque ripples with its angle.",
           {{"torque", "N m", 0.05, 0, -5, 5, 0.01},
-           {"per_turn", "", 12, 12, 1, 200, 0.5},
+           {"per_turn", "", 12, 12, 4, 200, 0.5},
            {"phase", "rad", 0, 0, -7, 7, 0.2}},
           Acts::OnDrive,
           makeEffect<Cogging>};
