@@ -173,10 +173,11 @@ void addLoad(std::vector<Cause>& all) {
   }
   offset.twins = {"ground_tilt.x", "ground_tilt.y"};
   all.push_back(offset);
-  all.push_back(spread(
-      one("link_mass", "part", {0.2, -0.2}, "the link on {joint} is heavier by {value} of nominal",
-          "slow and fast motion with a known mass added"),
-      0.02));
+  all.push_back(spread(shaped(one("link_mass", "part", {0.2, -0.2},
+                                  "the link on {joint} is heavier by {value} of nominal",
+                                  "slow and fast motion with a known mass added"),
+                              "inertia", {0, -1}),  // from 1, as of a link that is denser all over
+                       0.02));
   all.back().spread_beyond = true;
   for (const char* axis : {"x", "y", "z"}) {
     all.push_back(part("link_com", axis, {0.02}, "the link on {joint} has its mass off by {value}",

@@ -39,8 +39,20 @@ const Ids kArmJoint{"encoder_offset", "kp_error", "coulomb_friction"};
 const Ids kHull{"coupled_stop.upper", "coupled_stop.lower"};
 const Ids kStops{"joint_stop.upper", "joint_stop.lower"};
 
+// How the weight of a heavier link is spread is left to its joint.
+const std::vector<Cause>& knownCauses() {
+  static const std::vector<Cause> causes = [] {
+    std::vector<Cause> all = jointCauses();
+    for (Cause& cause : all) {
+      if (cause.id == "link_mass") cause.free.resize(1);
+    }
+    return all;
+  }();
+  return causes;
+}
+
 const Cause* find(const std::string& id) {
-  const auto& all = jointCauses();
+  const auto& all = knownCauses();
   const auto at =
       std::find_if(all.begin(), all.end(), [&](const Cause& cause) { return cause.id == id; });
   return at == all.end() ? nullptr : &*at;
