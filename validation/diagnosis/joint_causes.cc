@@ -76,9 +76,10 @@ void addFriction(std::vector<Cause>& all) {
       one("stribeck_friction", "torque", {0.1, 0.4}, "{joint} sticks near standstill with {value}",
           "slow triangles with and without load"),
       "speed", {0, 0.3})));
-  all.push_back(one("load_friction", "share", {0.1, 0.3},
-                    "{joint}'s friction grows by {value} of the torque its gear carries",
-                    "the same sweep with a light and a heavy load"));
+  all.push_back(shaped(one("load_friction", "share", {0.1, 0.3},
+                           "{joint}'s friction grows by {value} of the torque its gear carries",
+                           "the same sweep with a light and a heavy load"),
+                       "of_motor", {0, 1}));
   all.push_back(one("friction_asymmetry", "torque", {0.1, -0.1, 0.4, -0.4},
                     "{joint} has {value} of friction in one direction only",
                     "rest after approaching a place from either side"));
@@ -245,6 +246,9 @@ const std::vector<Cause>& jointCauses() {
 const std::vector<Cause>& benchCauses() {
   static const std::vector<Cause> causes = [] {
     std::vector<Cause> all = jointCauses();
+    for (Cause& cause : all) {
+      if (cause.id == "load_friction") cause.free.resize(1);  // without repeats: no shape
+    }
     all.push_back(one("quadratic_load_friction", "coefficient", {0.3, 1, 2},
                       "{joint}'s friction grows by {value} with the square of its gear's torque",
                       "the same sweep with three loads"));
