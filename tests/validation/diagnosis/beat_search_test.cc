@@ -15,12 +15,13 @@ Effort few() {
   return effort;
 }
 
-// A hold beside a log of its own rate: nothing but its own beat, met to a part of a turn over 6 s,
-// shows it.
+// A hold beside commands of nearly its own rate: nothing but its own beat, met to a part of a turn
+// over 6 s, shows it.
 TEST(BeatSearch, MeetsAHoldsBeat) {
-  constexpr double kHold = 0.01737;
+  constexpr double kHold = 0.0094;
   test::ToyLaws laws;
   laws.hold = kHold;
+  laws.sent = 0.01;
   const test::ToyJoint toy(laws, 1, test::kToyNoise, 6, 3);
   std::vector<Cause> causes;
   for (Cause cause : test::toyCauses()) {

@@ -22,6 +22,7 @@ struct ToyLaws {
   double gravity = 9.81, tilt = 0;   // [m/s^2], [rad]
   double coulomb = 0.08, viscous = 0.03, stribeck = 0, stribeck_speed = 0.1, load = 0;
   double asymmetry = 0, deadband = 0, play = 0, zero = 0, drop = 0, bias = 0;
+  double sent = 0;  // [s] between the commands that come, 0: at any time
   double latency = 0.01, hold = 0, filter = 0, rate = 1e9, sensor_delay = 0.005, quantum = 0.0015;
   double stop = -0.9;  // [rad] where it gets no lower
   // No cause of the catalogue below:
@@ -124,6 +125,7 @@ class ToyRun {
   double command() {
     double sent = t_ + start_ - laws_.latency;
     if (laws_.hold > 0) sent = std::floor(std::max(sent, 0.0) / laws_.hold) * laws_.hold;
+    if (laws_.sent > 0) sent = std::floor(sent / laws_.sent) * laws_.sent;
     double wish = toyCommand(motion_, std::max(0.0, sent));
     const double most = laws_.rate * laws_.step;
     limited_ += std::clamp(wish - limited_, -most, most);
@@ -189,7 +191,7 @@ class ToyJoint final : public JointSimulator {
  public:
   ToyJoint(const ToyLaws& truth, std::uint64_t seed, const JointNoise& noise = kToyNoise,
            int repeats = 6, std::size_t motions = 5, std::string name = "Toy")
-      : name_(std::move(name)) {
+      : name_(std::move(name)), sent_(truth.sent) {
     for (std::size_t m = 0; m < motions; ++m) {
       JointMotion motion{
           "motion" + std::to_string(m), m + 1 < motions ? Split::Fit : Split::Select, 0.01, {}};
@@ -206,6 +208,7 @@ class ToyJoint final : public JointSimulator {
   Eigen::MatrixXd run(const std::vector<EffectSetting>& causes, std::size_t motion,
                       std::uint64_t stream, const JointNoise& noise) const override {
     ToyLaws laws;
+    laws.sent = sent_;
     for (const EffectSetting& cause : causes) laws.set(cause.name, cause.parameters);
     return ToyRun(laws, motion, stream, noise).record();
   }
@@ -221,6 +224,7 @@ class ToyJoint final : public JointSimulator {
 
  private:
   std::string name_;
+  double sent_;  // as ToyLaws: known to whoever replays the commands
   std::vector<JointMotion> measured_;
 };
 
