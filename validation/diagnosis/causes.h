@@ -59,6 +59,8 @@ struct Cause {
   /// The number is where a joint is stopped: encoders' zeros move it, and how much wrong it is
   /// tells nothing of how far around it a slope holds.
   bool stop = false;
+  /// The size is a part of which all is a law as good as any: a fit that ends there did not flee.
+  bool whole = false;
   /// Of the number where it is x already: a part of a nominal value is one of what the robot has,
   /// stops are spread as zeros are.
   double spreadAt(double x) const;

@@ -43,6 +43,11 @@ Cause byGrid(Cause cause) {
   cause.linear = false;
   return cause;
 }
+// A part, all of which is a law as good as any.
+Cause wholly(Cause cause) {
+  cause.whole = true;
+  return cause;
+}
 // A stop: it does nothing until the motion reaches it, and a little further on it cuts off all.
 Cause reached(Cause cause, double inwards) {
   cause.linear = false;
@@ -124,9 +129,9 @@ void addServo(std::vector<Cause>& all) {
   all.push_back(byGrid(one("servo_deadband", "width", {0.01, 0.004, 0.025},
                            "{joint}'s servo ignores errors up to {value}",
                            "slow small triangles under a load of either sign")));
-  all.push_back(byGrid(one("duty_root", "part", {0.5, 1.0},
-                           "{joint}'s duty grows by {value} with the root of the error",
-                           "the same load at two gains")));
+  all.push_back(wholly(byGrid(one("duty_root", "part", {0.5, 1.0},
+                                  "{joint}'s duty grows by {value} with the root of the error",
+                                  "the same load at two gains"))));
   all.push_back(spread(
       one("motor_inertia", "part", {0.5, -0.4}, "{joint}'s rotor is heavier by {value} of nominal",
           "fast sweeps with and without a known mass"),

@@ -208,7 +208,8 @@ bool JointSearch::newestIsTrifle() const {
 bool JointSearch::isAtEnd(const Chosen& one) const {
   const FreeNumber& size = causes_[one.cause].free[0];
   const double margin = 1e-6 * (size.upper - size.lower);
-  return one.x[0] < size.lower + margin || one.x[0] > size.upper - margin;
+  const bool above = one.x[0] > size.upper - margin && !causes_[one.cause].whole;
+  return above || one.x[0] < size.lower + margin;
 }
 
 void JointSearch::reject(std::size_t cause, double gain, const std::string& reason) {

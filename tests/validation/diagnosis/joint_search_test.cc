@@ -141,6 +141,22 @@ TEST(JointSearch, SearchesNoFurtherThanATrifle) {
   EXPECT_TRUE(verdict.findings[1].small);
 }
 
+// A duty that grows with the root of its error alone was told as unknown: there is no more of it.
+TEST(JointSearch, APartThatIsAllIsNamedAtTheEndOfItsRange) {
+  std::vector<Cause> causes;
+  for (const Cause& cause : test::toyCauses()) {
+    if (cause.id == "load_friction") causes.push_back(cause);
+  }
+  causes[0].free.resize(1);
+  ToyLaws laws;
+  laws.load += 0.95;  // the effect goes to 0.9
+  EXPECT_TRUE(diagnose(laws, causes).findings.empty());
+  causes[0].whole = true;
+  const JointVerdict verdict = diagnose(laws, causes);
+  ASSERT_EQ(verdict.findings.size(), 1u);
+  EXPECT_NEAR(verdict.findings[0].numbers[0].deviation, 0.9, 1e-6);
+}
+
 // Alone the friction of the load would have to do the other's work, too, beyond what gears can
 // lose.
 TEST(JointSearch, ACauseAtTheEndOfItsRangeIsNamedIfASecondOneFreesIt) {
