@@ -6,6 +6,14 @@
 #include "validation/diagnosis/team.h"
 
 namespace nao::validation {
+namespace {
+
+bool areOf(Blocks blocks, Split split) {
+  return blocks == Blocks::All || (blocks == Blocks::Fit) == (split == Split::Fit);
+}
+
+}  // namespace
+
 WholeData::WholeData(const WholeSimulator& simulator, const std::vector<Joint>& joints, bool body)
     : simulator_(simulator),
       block_of_(simulator.measured().size()),
@@ -45,11 +53,23 @@ Eigen::VectorXd WholeData::stackMeans(const std::vector<Eigen::VectorXd>& by_run
   return stacked;
 }
 
-std::vector<WholeData::Order> WholeData::ordersFor(int per_run, std::size_t most, bool fit_only,
+Halves WholeData::stackHalves(const WholePool& pool) const {
+  WholePool even(pool.size()), odd(pool.size());
+  for (std::size_t run = 0; run < pool.size(); ++run) {
+    const std::size_t count = pool[run].size();
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i % 2 == 0) even[run].push_back(pool[run][i]);
+      if (i % 2 == 1 || count == 1) odd[run].push_back(pool[run][i]);
+    }
+  }
+  return {stackMeans(meansOf(even)), stackMeans(meansOf(odd))};
+}
+
+std::vector<WholeData::Order> WholeData::ordersFor(int per_run, std::size_t most, Blocks blocks,
                                                    std::uint64_t streams) const {
   std::vector<Order> orders;
   for (const WholeBlock& block : simulator_.blocks()) {
-    if (fit_only && block.split != Split::Fit) continue;
+    if (!areOf(blocks, block.split)) continue;
     for (std::size_t i = 0; i < std::min(most, block.runs.size()); ++i) {
       for (int s = 0; s < per_run; ++s) {
         const std::size_t run = block.runs[i];
@@ -68,9 +88,9 @@ WholeRun WholeData::replay(const std::vector<EffectSetting>& causes, std::size_t
 }
 
 WholePool WholeData::simulate(const std::vector<EffectSetting>& causes, int per_run,
-                              std::size_t most, bool fit_only, std::uint64_t streams, double noise,
+                              std::size_t most, Blocks blocks, std::uint64_t streams, double noise,
                               int jobs, Pace pace) const {
-  const std::vector<Order> orders = ordersFor(per_run, most, fit_only, streams);
+  const std::vector<Order> orders = ordersFor(per_run, most, blocks, streams);
   std::vector<EffectSetting> acting = given_;
   acting.insert(acting.end(), causes.begin(), causes.end());
   used_ += static_cast<long>(orders.size());

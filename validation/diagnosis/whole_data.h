@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "validation/diagnosis/halves.h"
 #include "validation/diagnosis/limb_replay.h"
 #include "validation/diagnosis/whole_features.h"
 
@@ -14,6 +15,9 @@ namespace nao::validation {
 
 /// Simulated runs of a set: by measured run, as many as asked for.
 using WholePool = std::vector<std::vector<Eigen::VectorXd>>;
+
+/// Which blocks are simulated: all, those to fit, or those held back.
+enum class Blocks { All, Fit, Held };
 
 /// What a diagnosis of the limb or robot level may see of a set, as features: a vector per run, and
 /// the stacked means of all blocks, those to fit first. Commands differ from run to run (a walk
@@ -45,12 +49,15 @@ class WholeData {
 
   /// A vector per run of `by_run` (empty: left out), its mean by block, stacked.
   Eigen::VectorXd stackMeans(const std::vector<Eigen::VectorXd>& by_run) const;
+  /// Of simulated runs, by every other one of each measured run: slopes differ between measured
+  /// runs, which is no chance. Of a single one both halves are that.
+  Halves stackHalves(const WholePool& pool) const;
 
-  /// The features of simulated runs, `per_run` for each of the first `most` runs of every block to
-  /// fit, and of the others unless `fit_only`. What fell is left out, unless most of a block did.
-  /// `streams` tells apart what the random numbers are for.
+  /// The features of simulated runs, `per_run` for each of the first `most` runs of every one of
+  /// these blocks. What fell is left out, unless most of a block did. `streams` tells apart what
+  /// the random numbers are for.
   WholePool simulate(const std::vector<EffectSetting>& causes, int per_run, std::size_t most,
-                     bool fit_only, std::uint64_t streams, double noise, int jobs,
+                     Blocks blocks, std::uint64_t streams, double noise, int jobs,
                      Pace pace = Pace::Exact) const;
 
  private:
@@ -58,7 +65,7 @@ class WholeData {
     std::size_t run;
     std::uint64_t stream;
   };
-  std::vector<Order> ordersFor(int per_run, std::size_t most, bool fit_only,
+  std::vector<Order> ordersFor(int per_run, std::size_t most, Blocks blocks,
                                std::uint64_t streams) const;
 
   const WholeSimulator& simulator_;

@@ -109,7 +109,7 @@ class RobotCase {
                                  double noise) const {
     constexpr std::size_t kAll = 1000000;
     return data.stackMeans(
-        meansOf(data.simulate(effects, 1, kAll, false, 1, noise, options_.jobs)));
+        meansOf(data.simulate(effects, 1, kAll, Blocks::All, 1, noise, options_.jobs)));
   }
 
   bool isJudged(Joint joint) const {

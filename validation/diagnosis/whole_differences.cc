@@ -43,7 +43,8 @@ void WholeStage::simulateDifferences(std::vector<Eigen::VectorXd>& spreads) cons
   inParallel(small.size(), task_.jobs, [&](std::size_t i) {
     WholeModel with = model_;
     with.push_back(small[i]);
-    const Eigen::VectorXd means = task_.data->stackMeans(meansOf(fitRuns(task_, with, false, 1)));
+    const Eigen::VectorXd means =
+        task_.data->stackMeans(meansOf(fitRuns(task_, with, Blocks::All, 1)));
     const double spread = (*task_.causes)[small[i].cause].cause.spread;
     spreads[first + i] = (means - coarse_means_) * (spread / small[i].x[0]);
   });

@@ -11,14 +11,20 @@ namespace nao::validation {
 struct WholeFit {
   WholeModel model;
   Eigen::VectorXd residual;  // whitened, blocks to fit
-  Eigen::MatrixXd jacobian;  // raw, stacked means by number; 0 beyond blocks to fit
+  Eigen::MatrixXd jacobian;  // raw, stacked means by number
+  Eigen::MatrixXd chance;    // in it: half of what two halves of the runs say of it differs by
   double cost = 0;           // half its squares
 };
 
-/// Measured less simulated means, stacked; 0 beyond blocks to fit if `fit_only`. `jobs`: threads.
+/// Measured less simulated means, stacked; 0 beyond these blocks. `jobs`: threads.
 /// Of limbs that hang: what `stage` leaves, less what coarse runs say this model changes in it.
 Eigen::VectorXd simulatedResidual(const WholeTask& task, const WholeStage& stage,
-                                  const WholeModel& model, bool fit_only, int jobs = 1);
+                                  const WholeModel& model, Blocks blocks, int jobs = 1);
+
+/// The same of all blocks, a thread of the task each. Of robots on their feet those held back are
+/// simulated by more runs: often but one was measured.
+Eigen::VectorXd residualOfAll(const WholeTask& task, const WholeStage& stage,
+                              const WholeModel& model);
 
 /// The same of the blocks to fit by as many runs as a look at a cause replays: rough.
 Eigen::VectorXd roughResidual(const WholeTask& task, const WholeStage& stage,
@@ -33,7 +39,9 @@ WholeFit fitModel(const WholeTask& task, const WholeStage& stage, const WholeMod
 /// of many causes are worth a fit of all numbers. Residual and cost: what is left then.
 WholeFit fitLast(const WholeTask& task, const WholeStage& stage, const WholeModel& with);
 
-/// Of the stacked means by every number of the model, a thread of the task each.
-Eigen::MatrixXd jacobianOf(const WholeTask& task, const WholeModel& model);
+/// Gives a fit the jacobian of its model, and the chance in it; a thread of the task each column.
+/// `stage`: whitens; differences are taken so wide that they are no mere chance. Null: as they
+/// come.
+void addJacobian(const WholeTask& task, WholeFit& fit, const WholeStage* stage = nullptr);
 
 }  // namespace nao::validation

@@ -1,39 +1,33 @@
 #include "validation/diagnosis/whole_numbers.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "core/random.h"
+#include "validation/diagnosis/slope_steps.h"
 
 namespace nao::validation {
 namespace {
 
-// Draws of a number, [SD] that a step may be: chance is within it, a fit that went astray is not.
-constexpr double kFurthestStep = 4;
-
 // The steps of the numbers that whitened residuals ask for, by one Gauss-Newton step.
 class Steps {
  public:
-  Steps(const WholeStage& stage, const Eigen::MatrixXd& jacobian) {
-    white_.resize(stage.whitenFit(stage.raw()).size(), jacobian.cols());
-    for (Eigen::Index i = 0; i < white_.cols(); ++i) {
-      white_.col(i) = stage.whitenFit(jacobian.col(i));
-    }
-    pull_ = white_.completeOrthogonalDecomposition().pseudoInverse();
-  }
+  Steps(const WholeStage& stage, const WholeFit& fit)
+      : white_(whitened(stage, fit.jacobian)), steps_(white_, whitened(stage, fit.chance)) {}
 
-  Eigen::VectorXd operator()(const Eigen::VectorXd& residual) const { return pull_ * residual; }
+  Eigen::VectorXd operator()(const Eigen::VectorXd& residual) const { return steps_(residual); }
 
   // What each signal of each block adds to the step, once that is taken: a row per signal.
   Eigen::MatrixXd votes(const WholeData& data, Eigen::VectorXd residual) const {
-    residual -= white_ * (pull_ * residual);
+    residual -= white_ * steps_(residual);
     std::vector<Eigen::VectorXd> all;
     for (std::size_t block = 0; block < data.spaces().size(); ++block) {
       for (const FeatureGroup& group : data.spaces()[block].groups()) {
         const Eigen::Index at = data.offsets()[block] + group.offset;
         if (at + group.size > residual.size()) continue;  // not fitted
-        all.push_back(pull_.middleCols(at, group.size) * residual.segment(at, group.size));
+        Eigen::VectorXd alone = Eigen::VectorXd::Zero(residual.size());
+        alone.segment(at, group.size) = residual.segment(at, group.size);
+        all.push_back(steps_(alone));
       }
     }
     Eigen::MatrixXd votes(static_cast<Eigen::Index>(all.size()), white_.cols());
@@ -42,7 +36,14 @@ class Steps {
   }
 
  private:
-  Eigen::MatrixXd white_, pull_;
+  static Eigen::MatrixXd whitened(const WholeStage& stage, const Eigen::MatrixXd& columns) {
+    Eigen::MatrixXd white(stage.fitSize(), columns.cols());
+    for (Eigen::Index i = 0; i < white.cols(); ++i) white.col(i) = stage.whitenFit(columns.col(i));
+    return white;
+  }
+
+  Eigen::MatrixXd white_;
+  SlopeSteps steps_;
 };
 
 Eigen::MatrixXd centred(const WholeStage& stage, const Steps& steps) {
@@ -81,7 +82,7 @@ Eigen::VectorXd spreadOf(const WholeTask& task, const WholeModel& model) {
 
 Eigen::MatrixXd drawNumbers(const WholeTask& task, const WholeStage& stage, const WholeFit& fit) {
   if (fit.jacobian.cols() == 0 || stage.nulls().empty()) return {fit.jacobian.cols(), 0};
-  const Steps steps(stage, fit.jacobian);
+  const Steps steps(stage, fit);
   Eigen::MatrixXd draws = centred(stage, steps) * std::sqrt(1 + 1.0 / stage.simulatedPerRun());
   const Eigen::VectorXd spread = spreadOf(task, fit.model);
   const Eigen::VectorXd further = disagreement(task, stage, steps).cwiseSqrt();
@@ -95,21 +96,28 @@ Eigen::MatrixXd drawNumbers(const WholeTask& task, const WholeStage& stage, cons
   return draws;
 }
 
-void refine(const WholeTask& task, const WholeStage& stage, WholeFit& fit) {
-  if (fit.jacobian.cols() == 0 || stage.nulls().size() < 2) return;
-  const Steps steps(stage, fit.jacobian);
+WholeStep stepOf(const WholeTask& task, const WholeStage& stage, const WholeFit& fit) {
+  WholeStep all{fit.model, 0};
+  if (fit.jacobian.cols() == 0 || stage.nulls().size() < 2) return all;
+  const Steps steps(stage, fit);
   const Eigen::MatrixXd draws = centred(stage, steps);
   const Eigen::VectorXd step = steps(stage.whitenFit(stage.raw()));
   const Eigen::VectorXd sd =
       (draws.rowwise().squaredNorm() / static_cast<double>(draws.cols() - 1)).cwiseSqrt();
-  if ((step.cwiseAbs().array() > kFurthestStep * sd.array()).any()) return;
+  all.length = step.cwiseQuotient(sd.cwiseMax(1e-12)).cwiseAbs().maxCoeff();
   Eigen::Index at = 0;
-  for (WholeChosen& one : fit.model) {
+  for (WholeChosen& one : all.to) {
     const std::vector<FreeNumber>& free = (*task.causes)[one.cause].cause.free;
     for (std::size_t i = 0; i < one.x.size(); ++i) {
       one.x[i] = std::clamp(one.x[i] + step[at++], free[i].lower, free[i].upper);
     }
   }
+  return all;
+}
+
+void refine(const WholeTask& task, const WholeStage& stage, WholeFit& fit) {
+  WholeStep step = stepOf(task, stage, fit);
+  if (step.length <= kByChance) fit.model = std::move(step.to);
 }
 
 }  // namespace nao::validation

@@ -11,8 +11,16 @@ namespace nao::validation {
 /// numbers by more than in null sets, that: what the model lacks makes each want another number.
 Eigen::MatrixXd drawNumbers(const WholeTask& task, const WholeStage& stage, const WholeFit& fit);
 
-/// Of the model's numbers, the step to where the many runs of its own stage fit best: its fit was
-/// made by few. Nothing if that is further than chance goes.
+/// To where the many runs of a model's own stage ask its numbers to be: its fit was made by few.
+struct WholeStep {
+  WholeModel to;
+  double length = 0;  // [SD of what chance makes of it] of the number that moves most by that
+};
+/// Chance is within this length, a fit that went astray is not.
+inline constexpr double kByChance = 4;
+WholeStep stepOf(const WholeTask& task, const WholeStage& stage, const WholeFit& fit);
+
+/// Takes that step if it is no further than chance goes.
 void refine(const WholeTask& task, const WholeStage& stage, WholeFit& fit);
 
 }  // namespace nao::validation

@@ -122,10 +122,11 @@ void requireShown(const Eigen::MatrixXd& change, const std::vector<OptimisedNumb
 
 // A fit takes long: first, whether anything moves as the robot is or with the effects on.
 void requireShownAnywhere(const WholeTask& task, const Numbers& numbers, const LogSet& set) {
-  const Eigen::MatrixXd off = jacobianOf(task, numbers.start(false)),
-                        on = jacobianOf(task, numbers.start(true));
-  requireShown(off.cwiseAbs() + on.cwiseAbs(),
-               numbers.list(numbers.start(false), Eigen::MatrixXd::Zero(off.cols(), 1)), set);
+  WholeFit off{numbers.start(false), {}, {}, {}, 0}, on{numbers.start(true), {}, {}, {}, 0};
+  addJacobian(task, off);
+  addJacobian(task, on);
+  requireShown(off.jacobian.cwiseAbs() + on.jacobian.cwiseAbs(),
+               numbers.list(off.model, Eigen::MatrixXd::Zero(off.jacobian.cols(), 1)), set);
 }
 
 // Mean absolute error of all joints' angles [rad]; 0 of a split without runs.
@@ -165,7 +166,7 @@ Optimised optimiseWhole(const LogSet& set, const std::shared_ptr<const RobotMode
   Optimised found;
   found.settings = settingsOf(numbers.causes(), best.model);
   task.noise = fitSpread(data, found.settings, task.effort.base_runs, options.jobs).noise;
-  best.jacobian = jacobianOf(task, best.model);
+  addJacobian(task, best, &stage);
   const WholeStage at_best(task, best.model, none);
   refine(task, at_best, best);
   found.settings = settingsOf(numbers.causes(), best.model);

@@ -207,7 +207,7 @@ void WholeSearch::lookAtProvisional() {
   inParallel(provisional_.size(), task_.jobs, [&](std::size_t i) {
     const WholeModel model{provisional_[i].chosen};
     const Eigen::VectorXd residual =
-        stage_->whitenFit(simulatedResidual(task_, *stage_, model, true));
+        stage_->whitenFit(simulatedResidual(task_, *stage_, model, Blocks::Fit));
     would_show_[i] = (residual - fit_.residual).norm();
   });
 }

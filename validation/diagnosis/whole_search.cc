@@ -22,6 +22,9 @@ constexpr double kLessNoise = 0.8;
 // Of what was wrong at first, that a further cause must explain at least: a replay renders a gross
 // effect to about a tenth, which leaves a hundredth of its misfit to causes that are none.
 constexpr double kLeastOfAll = 0.02;
+// Once the search is over: how often numbers are moved, and of a step that needs no proof [SD].
+constexpr int kMostSteps = 3;
+constexpr double kShortStep = 1;
 
 }  // namespace
 
@@ -40,7 +43,7 @@ WholeVerdict WholeSearch::run() {
       stage_->whiteAll(stage_->raw()).squaredNorm() / static_cast<double>(task_.data->size());
   lookAtProvisional();
   while (static_cast<int>(fit_.model.size()) < task_.effort.most_causes && step()) review();
-  refine(task_, *stage_, fit_);
+  settle();
   WholeVerdict verdict;
   judge(verdict);
   describe(verdict);
@@ -57,7 +60,7 @@ void WholeSearch::enter(const WholeFit& fit) {
   critical_ = quantile(stage_->nullGains(), 1 - false_alarms_);
   spread_of_gain_ = std::max(1.0, critical_ / kWhiteThreshold);
   for (const std::size_t cause : stage_->notTried()) not_tried_.push_back(labelOf(cause, ""));
-  fit_.residual = stage_->whitenFit(simulatedResidual(task_, *stage_, fit_.model, true));
+  fit_.residual = stage_->whitenFit(simulatedResidual(task_, *stage_, fit_.model, Blocks::Fit));
   fit_.cost = fit_.residual.squaredNorm() / 2;
 }
 
@@ -68,6 +71,24 @@ void WholeSearch::learnNoise() {
                         task_.jobs);
   }
   task_.noise = spread_.noise;
+}
+
+// Fits of few runs leave numbers where their chance is least, and what that leaves of a large cause
+// passes for a second one. A step that is worth it is taken if many runs bear it out.
+void WholeSearch::settle() {
+  const auto left = [&](const Eigen::VectorXd& raw) {
+    return stage_->whitenFit(raw).squaredNorm();
+  };
+  for (int i = 0; i < kMostSteps; ++i) {
+    const WholeStep step = stepOf(task_, *stage_, fit_);
+    const bool worth = step.length > kShortStep;
+    if (worth && left(manyRunsResidual(task_, step.to)) >= left(stage_->raw())) return;
+    fit_.model = step.to;
+    if (step.length <= kByChance) return;
+    WholeFit moved = fit_;
+    addJacobian(task_, moved, stage_.get());
+    enter(moved);
+  }
 }
 
 bool WholeSearch::step() {
@@ -113,8 +134,9 @@ void WholeSearch::take(const std::vector<Candidate>& ranking, const Candidate& o
   accepted_.push_back(accepted);
   gained_ += one.gain;
   WholeFit next = one.fit;
-  next.jacobian = jacobianOf(task_, next.model);
+  addJacobian(task_, next, stage_.get());
   enter(next);
+  settle();
 }
 
 // The last cause was chosen under a noise that had to stand for what it explains, in which its
@@ -124,7 +146,7 @@ void WholeSearch::compareAgain() {
   WholeModel less = fit_.model;
   less.pop_back();
   const double before =
-      stage_->whitenFit(simulatedResidual(task_, *stage_, less, true)).squaredNorm() / 2;
+      stage_->whitenFit(simulatedResidual(task_, *stage_, less, Blocks::Fit)).squaredNorm() / 2;
   std::vector<WholeChosen> all = accepted_.back().others;
   all.insert(all.begin(), fit_.model.back());
   std::vector<Candidate> ranking(all.size());
@@ -155,7 +177,7 @@ double WholeSearch::heldOut(const WholeModel& less, const WholeModel& model) con
   const Eigen::Index held = task_.data->size() - task_.data->fitSize();
   if (held == 0) return std::numeric_limits<double>::quiet_NaN();
   const auto tailOf = [&](const WholeModel& of) {
-    return stage_->whitenAll(simulatedResidual(task_, *stage_, of, false)).tail(held).eval();
+    return stage_->whitenAll(residualOfAll(task_, *stage_, of)).tail(held).eval();
   };
   const Eigen::VectorXd before = tailOf(less), after = tailOf(model);
   if ((before - after).norm() < 2) return std::numeric_limits<double>::quiet_NaN();
@@ -184,7 +206,7 @@ void WholeSearch::review() {
       rejected_.push_back({labelOf(fit_.model[place].cause, ""), gain, "no longer needed"});
       dropped_.insert(fit_.model[place].cause);
       accepted_.erase(accepted_.begin() + static_cast<std::ptrdiff_t>(place));
-      less.jacobian = jacobianOf(task_, less.model);
+      addJacobian(task_, less, stage_.get());
       enter(less);
       place = 0;
       continue;
@@ -206,7 +228,7 @@ bool WholeSearch::swapOne(std::size_t place) {
     rejected_.push_back({labelOf(fit_.model[place].cause, ""), fit.cost - fit_.cost,
                          "replaced by " + labelOf(other.cause, "")});
     accepted_[place].rivals.clear();
-    fit.jacobian = jacobianOf(task_, fit.model);
+    addJacobian(task_, fit, stage_.get());
     enter(fit);
     return true;
   }

@@ -58,6 +58,7 @@ class WholeSearch {
 
   void enter(const WholeFit& fit);
   void learnNoise();
+  void settle();
   bool step();
   struct Promise {
     double gain = 0, scale = 0;

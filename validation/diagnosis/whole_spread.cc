@@ -100,8 +100,8 @@ WholeSpread fitSpread(const WholeData& data, const std::vector<EffectSetting>& c
   if (most < 2) return spread;
   const int per_run = std::max(4, perRun(runs, most));
   const auto streams = static_cast<std::uint64_t>(WholeStream::Noise);
-  const WholePool noisy = data.simulate(causes, per_run, most, false, streams, 1, jobs);
-  const WholePool still = data.simulate(causes, 2, most, false, streams, 1e-6, jobs);
+  const WholePool noisy = data.simulate(causes, per_run, most, Blocks::All, streams, 1, jobs);
+  const WholePool still = data.simulate(causes, 2, most, Blocks::All, streams, 1e-6, jobs);
   const std::vector<double> full = simulatedVariance(data, noisy);
   const std::vector<double> rest = simulatedVariance(data, still);
   for (const WholeBlock& block : data.simulator().blocks()) {

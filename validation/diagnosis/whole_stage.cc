@@ -14,10 +14,11 @@ constexpr std::size_t kAllRuns = 1000000;
 
 std::uint64_t number(WholeStream stream) { return static_cast<std::uint64_t>(stream); }
 
-int runsPerMeasured(const WholeData& data, int runs) {
+// By the largest block; of those held back alone.
+int runsPerMeasured(const WholeData& data, int runs, bool held = false) {
   std::size_t most = 1;
   for (const WholeBlock& block : data.simulator().blocks()) {
-    most = std::max(most, block.runs.size());
+    if (!held || block.split != Split::Fit) most = std::max(most, block.runs.size());
   }
   return perRun(runs, most);
 }
@@ -25,7 +26,7 @@ int runsPerMeasured(const WholeData& data, int runs) {
 WholePool simulate(const WholeTask& task, const WholeModel& model, WholeStream stream) {
   return task.data->simulate(settingsOf(*task.causes, model),
                              std::max(4, runsPerMeasured(*task.data, task.effort.base_runs)),
-                             kAllRuns, false, number(stream), task.noise, task.jobs);
+                             kAllRuns, Blocks::All, number(stream), task.noise, task.jobs);
 }
 
 Eigen::VectorXd residual(const WholeData& data, const std::vector<Eigen::VectorXd>& means) {
@@ -68,16 +69,29 @@ std::vector<EffectSetting> settingsOf(const std::vector<PlacedCause>& causes,
   return settings;
 }
 
-WholePool fitRuns(const WholeTask& task, const WholeModel& model, bool fit_only, int jobs) {
-  return task.data->simulate(settingsOf(*task.causes, model),
-                             runsPerMeasured(*task.data, task.effort.fit_runs), kAllRuns, fit_only,
+WholePool fitRuns(const WholeTask& task, const WholeModel& model, Blocks blocks, int jobs) {
+  const int runs = blocks == Blocks::Held
+                       ? runsPerMeasured(*task.data, task.effort.base_runs / 2, true)
+                       : runsPerMeasured(*task.data, task.effort.fit_runs);
+  return task.data->simulate(settingsOf(*task.causes, model), runs, kAllRuns, blocks,
                              number(WholeStream::Base), task.noise, jobs, Pace::Coarse);
+}
+
+WholePool slopeRuns(const WholeTask& task, const WholeModel& model) {
+  return task.data->simulate(settingsOf(*task.causes, model),
+                             std::max(2, runsPerMeasured(*task.data, task.effort.fit_runs)),
+                             kAllRuns, Blocks::All, number(WholeStream::Base), task.noise, 1,
+                             Pace::Coarse);
 }
 
 WholePool lookRuns(const WholeTask& task, const WholeModel& model, int jobs) {
   return task.data->simulate(settingsOf(*task.causes, model), 1,
-                             static_cast<std::size_t>(task.effort.look_runs), true,
+                             static_cast<std::size_t>(task.effort.look_runs), Blocks::Fit,
                              number(WholeStream::Base), task.noise, jobs, Pace::Coarse);
+}
+
+Eigen::VectorXd manyRunsResidual(const WholeTask& task, const WholeModel& model) {
+  return residual(*task.data, meansOf(simulate(task, model, WholeStream::Base)));
 }
 
 WholeStage::WholeStage(const WholeTask& task, WholeModel model, const Eigen::MatrixXd& jacobian,
@@ -90,7 +104,7 @@ WholeStage::WholeStage(const WholeTask& task, WholeModel model, const Eigen::Mat
   const std::vector<Eigen::VectorXd> means = meansOf(pool_);
   raw_ = residual(data, means);
   if (data.hasCoarse()) {
-    coarse_means_ = data.stackMeans(meansOf(fitRuns(task_, model_, false, task_.jobs)));
+    coarse_means_ = data.stackMeans(meansOf(fitRuns(task_, model_, Blocks::All, task_.jobs)));
   }
   const std::vector<Eigen::VectorXd> first = meansOf(lookRuns(task_, model_, task_.jobs));
   if (data.hasCoarse()) rough_means_ = data.stackMeans(first);

@@ -40,9 +40,13 @@ struct WholeTask {
 };
 
 /// Runs of a model by the coarse pace: as many as a fit takes, and as a look does of the blocks to
-/// fit.
-WholePool fitRuns(const WholeTask& task, const WholeModel& model, bool fit_only, int jobs);
+/// fit. Of blocks held back alone, often of one measured run, more.
+WholePool fitRuns(const WholeTask& task, const WholeModel& model, Blocks blocks, int jobs);
+WholePool slopeRuns(const WholeTask& task, const WholeModel& model);  // two or more of each
 WholePool lookRuns(const WholeTask& task, const WholeModel& model, int jobs);
+
+/// Measured less simulated means, stacked, by as many runs as a stage makes of its own model.
+Eigen::VectorXd manyRunsResidual(const WholeTask& task, const WholeModel& model);
 
 /// A model of a whole robot compared with its measurement: residual, a look at every cause, and
 /// the residuals of sets that the model itself makes (nulls), undeclared differences between equal
@@ -64,6 +68,7 @@ class WholeStage {
   const Eigen::VectorXd& roughMeans() const { return rough_means_; }
   const Eigen::VectorXd& sd() const { return noise_.sd(); }
   const std::vector<Eigen::VectorXd>& nulls() const { return nulls_; }  // raw
+  Eigen::Index fitSize() const { return task_.data->fitSize(); }
   double simulatedPerRun() const;  // runs of the model, for each that was measured
 
   /// Of a raw residual: the blocks to fit whitened; all blocks; and either without what the model's

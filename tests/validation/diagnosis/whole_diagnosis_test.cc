@@ -69,10 +69,11 @@ TEST(WholeDiagnosis, OfTwoRobotsBlamesTheFaultyOne) {
   const WholeDiagnosis diagnosis = diagnose(set);
   ASSERT_EQ(placesOf(diagnosis), "kp_error at other/LHipPitch; ");
   const Finding& found = *diagnosis.set.joints.back().named()[0];
-  // -0.4 was hidden, -0.49 is found: too rough. How far a standing leg sags depends on how it came
-  // to stand, of which a log says nothing.
-  EXPECT_NEAR(found.numbers[0].deviation, -0.4, 0.15);
-  EXPECT_LT(found.numbers[0].low, found.numbers[0].high);
+  // How far a standing leg sags depends on how it came to stand, of which a log says nothing, and
+  // two runs tell little about it: the number is rough, and its interval says so.
+  EXPECT_LT(found.numbers[0].low, -0.4);
+  EXPECT_GT(found.numbers[0].high, -0.4);
+  EXPECT_LT(found.numbers[0].high, -0.1);  // the smallest of interest
   const auto json =
       nlohmann::json::parse(toJson(diagnosis, {"set", "nao_h21_v33", "command", "robot"}));
   EXPECT_EQ(json["level"], "robot");

@@ -36,7 +36,7 @@ class WholeNumbersTest : public testing::Test {
   WholeFit fitAt(double x) const {
     WholeFit fit;
     fit.model = {{0, {x}}};
-    fit.jacobian = jacobianOf(task_, fit.model);
+    addJacobian(task_, fit);
     return fit;
   }
 
@@ -68,6 +68,17 @@ TEST_F(WholeNumbersTest, AreNotMovedFurtherThanChanceGoes) {
   const WholeStage stage(task_, fit.model, fit.jacobian);
   refine(task_, stage, fit);
   EXPECT_EQ(fit.model[0].x[0], 0.8);
+}
+
+// From where few runs left it by chance; a fifth of the way is granted to what bends on it.
+TEST_F(WholeNumbersTest, AreAskedToWhereTheyAreFromFurtherThanChanceGoes) {
+  const WholeFit fit = fitAt(kTruth + 0.2);
+  const WholeStage stage(task_, fit.model, fit.jacobian);
+  const WholeStep step = stepOf(task_, stage, fit);
+  EXPECT_GT(step.length, kByChance);
+  EXPECT_NEAR(step.to[0].x[0], kTruth, 0.04);
+  EXPECT_LT(stage.whitenFit(manyRunsResidual(task_, step.to)).norm(),
+            stage.whitenFit(stage.raw()).norm());
 }
 
 TEST_F(WholeNumbersTest, MayBeOffByWhatEqualRobotsDifferBy) {

@@ -55,9 +55,17 @@ TEST_F(HungLeg, WhatEqualRobotsDifferByIsNotTakenForAnError) {
   const WholeStage stage(task_, {}, Eigen::MatrixXd(data_.size(), 0));
   const WholeModel other{{causeOf("kd_error"), {0.06}}};
   const Eigen::VectorXd change =
-      (data_.stackMeans(meansOf(fitRuns(task_, other, false, 1))) - stage.coarseMeans()) / 3;
+      (data_.stackMeans(meansOf(fitRuns(task_, other, Blocks::All, 1))) - stage.coarseMeans()) / 3;
   EXPECT_LT(stage.whitenFit(change).norm(), 1.1 * std::sqrt(3));
   EXPECT_GT(change.cwiseQuotient(stage.sd()).norm(), 4);
+}
+
+TEST_F(HungLeg, HalvesShareNoSimulatedRun) {
+  const Eigen::VectorXd one = Eigen::VectorXd::Ones(data_.size());
+  const WholePool pool = {{one, 10 * one, 3 * one, 30 * one}, {4 * one}};
+  const Halves halves = data_.stackHalves(pool);
+  EXPECT_EQ(halves.first, 3 * one);    // of 2 and 4
+  EXPECT_EQ(halves.second, 12 * one);  // of 20 and 4
 }
 
 // Readings of six runs are half a millisecond late by chance.
@@ -65,7 +73,7 @@ TEST_F(HungLeg, ALateStartIsNotTakenForAnError) {
   const WholeStage stage(task_, {}, Eigen::MatrixXd(data_.size(), 0));
   const EffectSetting late{"command_latency", {{"delay", 5e-4}}, {}, ""};
   const auto meansWith = [&](const std::vector<EffectSetting>& effects) {
-    return data_.stackMeans(meansOf(data_.simulate(effects, 1, 100, false, 1, 1, 1)));
+    return data_.stackMeans(meansOf(data_.simulate(effects, 1, 100, Blocks::All, 1, 1, 1)));
   };
   const Eigen::VectorXd change = meansWith({late}) - meansWith({});
   const Eigen::VectorXd by_noise = change.cwiseQuotient(stage.sd());
