@@ -188,6 +188,12 @@ void addJacobian(const WholeTask& task, WholeFit& fit, const WholeStage* stage) 
     fit.jacobian.col(column) = slopes[i].mean();
     fit.chance.col(column) = (slopes[i].first - slopes[i].second) / 2;
   }
+  Eigen::Index at = 0;
+  for (const WholeChosen& one : fit.model) {
+    const auto own = static_cast<Eigen::Index>(one.x.size());
+    if (own > 1) fit.chance.middleCols(at, own).setZero();
+    at += own;
+  }
 }
 
 }  // namespace nao::validation

@@ -41,7 +41,9 @@ WholeFit fitLast(const WholeTask& task, const WholeStage& stage, const WholeMode
 
 /// Gives a fit the jacobian of its model, and the chance in it; a thread of the task each column.
 /// `stage`: whitens; differences are taken so wide that they are no mere chance. Null: as they
-/// come.
+/// come. Numbers of one cause, such as a stop's slope and place, count as free of chance: they do
+/// nearly the same, beside each other little else is left of them, and the cause would be told as
+/// perhaps none.
 void addJacobian(const WholeTask& task, WholeFit& fit, const WholeStage* stage = nullptr);
 
 }  // namespace nao::validation

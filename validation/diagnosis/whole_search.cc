@@ -6,7 +6,6 @@
 #include "validation/diagnosis/joint_search.h"
 #include "validation/diagnosis/least_squares.h"
 #include "validation/diagnosis/team.h"
-#include "validation/diagnosis/whole_numbers.h"
 
 namespace nao::validation {
 namespace {
@@ -74,21 +73,31 @@ void WholeSearch::learnNoise() {
 }
 
 // Fits of few runs leave numbers where their chance is least, and what that leaves of a large cause
-// passes for a second one. A step that is worth it is taken if many runs bear it out.
-void WholeSearch::settle() {
-  const auto left = [&](const Eigen::VectorXd& raw) {
-    return stage_->whitenFit(raw).squaredNorm();
-  };
+// passes for a second one: further than chance goes, steps are taken that many runs bear out.
+void WholeSearch::walkOn() {
   for (int i = 0; i < kMostSteps; ++i) {
     const WholeStep step = stepOf(task_, *stage_, fit_);
-    const bool worth = step.length > kShortStep;
-    if (worth && left(manyRunsResidual(task_, step.to)) >= left(stage_->raw())) return;
+    if (step.length <= kByChance || !isBorneOut(step)) return;
     fit_.model = step.to;
-    if (step.length <= kByChance) return;
     WholeFit moved = fit_;
     addJacobian(task_, moved, stage_.get());
     enter(moved);
   }
+}
+
+// The last step, of which the stage knows nothing: taken once.
+void WholeSearch::settle() {
+  walkOn();
+  const WholeStep step = stepOf(task_, *stage_, fit_);
+  if (step.length > kByChance) return;
+  if (step.length <= kShortStep || isBorneOut(step)) fit_.model = step.to;
+}
+
+bool WholeSearch::isBorneOut(const WholeStep& step) const {
+  const auto left = [&](const Eigen::VectorXd& raw) {
+    return stage_->whitenFit(raw).squaredNorm();
+  };
+  return left(manyRunsResidual(task_, step.to)) < left(stage_->raw());
 }
 
 bool WholeSearch::step() {
@@ -136,7 +145,7 @@ void WholeSearch::take(const std::vector<Candidate>& ranking, const Candidate& o
   WholeFit next = one.fit;
   addJacobian(task_, next, stage_.get());
   enter(next);
-  settle();
+  walkOn();
 }
 
 // The last cause was chosen under a noise that had to stand for what it explains, in which its

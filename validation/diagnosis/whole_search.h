@@ -8,7 +8,7 @@
 
 #include "validation/diagnosis/handed_on.h"
 #include "validation/diagnosis/verdict.h"
-#include "validation/diagnosis/whole_fit.h"
+#include "validation/diagnosis/whole_numbers.h"
 #include "validation/diagnosis/whole_spread.h"
 
 namespace nao::validation {
@@ -58,7 +58,9 @@ class WholeSearch {
 
   void enter(const WholeFit& fit);
   void learnNoise();
+  void walkOn();
   void settle();
+  bool isBorneOut(const WholeStep& step) const;
   bool step();
   struct Promise {
     double gain = 0, scale = 0;
