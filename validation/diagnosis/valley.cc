@@ -27,25 +27,25 @@ double lowestAlong(const std::function<double(double)>& cost, double x, double l
                    double upper) {
   const auto at = [&](double to) { return Place{to, cost(to)}; };
   Place best = at(std::clamp(x, lower, upper));
-  std::optional<Place> before, behind;  // neighbours, the one beyond the last step and the other
+  std::optional<Place> beyond, behind;  // the best one's neighbours
   for (const double factor : {kFactor, 1 / kFactor}) {
-    before.reset();
+    beyond.reset();
     for (int i = 0; i < kMostSteps; ++i) {
       const double to = std::clamp(factor * best.x, lower, upper);
       if (to == best.x) break;
-      before = at(to);
-      if (before->cost >= best.cost) break;
+      beyond = at(to);
+      if (beyond->cost >= best.cost) break;
       behind = best;
-      best = *before;
-      before.reset();
+      best = *beyond;
+      beyond.reset();
     }
     if (behind) break;  // it went down that way
-    behind = before;
+    behind = beyond;
   }
-  if (!before || !behind) return best.x;
-  const double vertex = vertexOf(*before, best, *behind);
+  if (!beyond || !behind) return best.x;
+  const double vertex = vertexOf(*beyond, best, *behind);
   // Costs so near each other are told apart by chance: the parabola knows better.
-  const double near = kNear * (std::min(before->cost, behind->cost) - best.cost);
+  const double near = kNear * (std::min(beyond->cost, behind->cost) - best.cost);
   return cost(vertex) < best.cost + near ? vertex : best.x;
 }
 

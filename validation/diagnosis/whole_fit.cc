@@ -119,6 +119,7 @@ Halves slopeOf(const WholeTask& task, const WholeModel& model, std::size_t numbe
   return slope;
 }
 
+// 0 beyond these blocks.
 Eigen::VectorXd only(Blocks blocks, const WholeData& data, Eigen::VectorXd residual) {
   if (blocks == Blocks::Fit) residual.tail(data.size() - data.fitSize()).setZero();
   if (blocks == Blocks::Held) residual.head(data.fitSize()).setZero();
@@ -178,15 +179,12 @@ WholeFit fitLast(const WholeTask& task, const WholeStage& stage, const WholeMode
 
 void addJacobian(const WholeTask& task, WholeFit& fit, const WholeStage* stage) {
   const std::size_t numbers = flat(fit.model).size();
-  std::vector<Halves> slopes(numbers);
-  inParallel(numbers, task.jobs,
-             [&](std::size_t i) { slopes[i] = slopeOf(task, fit.model, i, stage); });
   fit.jacobian.resize(task.data->size(), static_cast<Eigen::Index>(numbers));
   fit.chance = fit.jacobian;
   for (std::size_t i = 0; i < numbers; ++i) {
-    const auto column = static_cast<Eigen::Index>(i);
-    fit.jacobian.col(column) = slopes[i].mean();
-    fit.chance.col(column) = (slopes[i].first - slopes[i].second) / 2;
+    const Halves slope = slopeOf(task, fit.model, i, stage);
+    fit.jacobian.col(static_cast<Eigen::Index>(i)) = slope.mean();
+    fit.chance.col(static_cast<Eigen::Index>(i)) = (slope.first - slope.second) / 2;
   }
   Eigen::Index at = 0;
   for (const WholeChosen& one : fit.model) {

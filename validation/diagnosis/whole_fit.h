@@ -39,7 +39,7 @@ WholeFit fitModel(const WholeTask& task, const WholeStage& stage, const WholeMod
 /// of many causes are worth a fit of all numbers. Residual and cost: what is left then.
 WholeFit fitLast(const WholeTask& task, const WholeStage& stage, const WholeModel& with);
 
-/// Gives a fit the jacobian of its model, and the chance in it; a thread of the task each column.
+/// Gives a fit the jacobian of its model, and the chance in it, by the task's threads.
 /// `stage`: whitens; differences are taken so wide that they are no mere chance. Null: as they
 /// come. Numbers of one cause, such as a stop's slope and place, count as free of chance: they do
 /// nearly the same, beside each other little else is left of them, and the cause would be told as

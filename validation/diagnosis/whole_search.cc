@@ -21,7 +21,7 @@ constexpr double kLessNoise = 0.8;
 // Of what was wrong at first, that a further cause must explain at least: a replay renders a gross
 // effect to about a tenth, which leaves a hundredth of its misfit to causes that are none.
 constexpr double kLeastOfAll = 0.02;
-// Once the search is over: how often numbers are moved, and of a step that needs no proof [SD].
+// How often numbers are moved further than chance goes, and a step that needs no proof [SD].
 constexpr int kMostSteps = 3;
 constexpr double kShortStep = 1;
 
@@ -78,8 +78,8 @@ void WholeSearch::walkOn() {
   for (int i = 0; i < kMostSteps; ++i) {
     const WholeStep step = stepOf(task_, *stage_, fit_);
     if (step.length <= kByChance || !isBorneOut(step)) return;
-    fit_.model = step.to;
-    WholeFit moved = fit_;
+    WholeFit moved;
+    moved.model = step.to;
     addJacobian(task_, moved, stage_.get());
     enter(moved);
   }

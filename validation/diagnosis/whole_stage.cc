@@ -80,8 +80,8 @@ WholePool fitRuns(const WholeTask& task, const WholeModel& model, Blocks blocks,
 WholePool slopeRuns(const WholeTask& task, const WholeModel& model) {
   return task.data->simulate(settingsOf(*task.causes, model),
                              std::max(2, runsPerMeasured(*task.data, task.effort.fit_runs)),
-                             kAllRuns, Blocks::All, number(WholeStream::Base), task.noise, 1,
-                             Pace::Coarse);
+                             kAllRuns, Blocks::All, number(WholeStream::Base), task.noise,
+                             task.jobs, Pace::Coarse);
 }
 
 WholePool lookRuns(const WholeTask& task, const WholeModel& model, int jobs) {

@@ -73,7 +73,7 @@ TEST(WholeDiagnosis, OfTwoRobotsBlamesTheFaultyOne) {
   // two runs tell little about it: the number is rough, and its interval says so.
   EXPECT_LT(found.numbers[0].low, -0.4);
   EXPECT_GT(found.numbers[0].high, -0.4);
-  EXPECT_LT(found.numbers[0].high, -0.1);  // the smallest of interest
+  EXPECT_LT(found.numbers[0].high, -0.05);  // the smallest of interest
   const auto json =
       nlohmann::json::parse(toJson(diagnosis, {"set", "nao_h21_v33", "command", "robot"}));
   EXPECT_EQ(json["level"], "robot");
