@@ -1,9 +1,11 @@
 // A torque that data showed and no law explains: a sum of features of the joint's own motion,
 //   T = constant + v v + v_square v|v| + q q + sin_q sin q + cos_q cos q + t t
-//     + (sign + q_sign q) sgn v
+//     + (sign + q_sign q + sign_sin sin(ripple q) + sign_cos cos(ripple q)) sgn v
 //     + ripple_sin sin(ripple q) + ripple_cos cos(ripple q)
 //     + hum_sin sin(2 pi hum t) + hum_cos cos(2 pi hum t)
-// on the link, angles and rates those of the motor, t since the world began. What resists is a
+//     + (e + t_e t) e + abs_e |e|
+// on the link, angles and rates those of the motor, e what its servo is off by, t since the world
+// began. What resists is a
 // friction, so that the joint sticks and the step stays implicit. No source: it is what a diagnosis
 // calls the signature of a remainder, good for predictions like those it was fitted to, and no
 // name.
@@ -24,9 +26,10 @@ class EmpiricalTorque final : public Effect {
   void alterDrive(const DriveMoment& moment, DriveTerms& terms) override {
     for (const std::size_t j : joints_) {
       const double q = moment.angle[j], v = moment.rate[j];
-      terms.disturbance[j] += push(q, toSeconds(moment.time));
+      const double t = toSeconds(moment.time), e = moment.command[j] - q;
+      terms.disturbance[j] += push(q, t) + (c("e") + c("t_e") * t) * e + c("abs_e") * std::abs(e);
       addDamping(c("v") + c("v_square") * std::abs(v), v, terms, j);
-      addSign(c("sign") + c("q_sign") * q, v, terms, j);
+      addSign(dry(q), v, terms, j);
     }
   }
 
@@ -39,6 +42,11 @@ class EmpiricalTorque final : public Effect {
            c("ripple_cos") * std::cos(c("ripple") * q) +
            c("hum_sin") * std::sin(2 * M_PI * c("hum") * t) +
            c("hum_cos") * std::cos(2 * M_PI * c("hum") * t);
+  }
+
+  double dry(double q) const {
+    return c("sign") + c("q_sign") * q + c("sign_sin") * std::sin(c("ripple") * q) +
+           c("sign_cos") * std::cos(c("ripple") * q);
   }
 
   static void addDamping(double rise, double v, DriveTerms& terms, std::size_t j) {
@@ -68,8 +76,13 @@ EffectType empiricalTorque() {
            {"sin_q", "N m", 0, 0, -50, 50, 0.01},
            {"cos_q", "N m", 0, 0, -50, 50, 0.01},
            {"t", "N m/s", 0, 0, -50, 50, 0.01},
+           {"e", "N m/rad", 0, 0, -50, 50, 0.1},
+           {"abs_e", "N m/rad", 0, 0, -50, 50, 0.1},
+           {"t_e", "N m/(rad s)", 0, 0, -50, 50, 0.1},
            {"sign", "N m", 0, 0, -50, 50, 0.01},
            {"q_sign", "N m/rad", 0, 0, -50, 50, 0.01},
+           {"sign_sin", "N m", 0, 0, -50, 50, 0.01},
+           {"sign_cos", "N m", 0, 0, -50, 50, 0.01},
            {"ripple", "1/rad", 12, 12, 1, 200, 0.1},
            {"ripple_sin", "N m", 0, 0, -50, 50, 0.01},
            {"ripple_cos", "N m", 0, 0, -50, 50, 0.01},

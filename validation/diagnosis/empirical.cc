@@ -46,15 +46,26 @@ std::vector<FreeNumber> numbersFor(const std::string& feature, const sim::Effect
     return {number("hum_sin", 0), number("hum_cos", 0),
             number("hum", at - neutralOf("hum"), kAroundHz)};
   }
+  if (std::sscanf(feature.c_str(), "sgn v with sin and cos of %lf q", &at) == 1) {
+    return {number("sign", 0), number("sign_sin", 0), number("sign_cos", 0),
+            number("ripple", at - neutralOf("ripple"), kAround)};
+  }
   if (std::sscanf(feature.c_str(), "sin and cos of %lf q", &at) == 1) {
     return {number("ripple_sin", 0), number("ripple_cos", 0),
             number("ripple", at - neutralOf("ripple"), kAround)};
   }
   const std::vector<std::pair<std::string, std::vector<std::string>>> words{
-      {"1", {"constant"}}, {"sgn v", {"sign"}},
-      {"v", {"v"}},        {"v|v|", {"v_square"}},
-      {"q", {"q"}},        {"q sgn v", {"q_sign"}},
-      {"t", {"t"}},        {"sin and cos of q", {"sin_q", "cos_q"}}};
+      {"1", {"constant"}},
+      {"sgn v", {"sign"}},
+      {"v", {"v"}},
+      {"v|v|", {"v_square"}},
+      {"q", {"q"}},
+      {"q sgn v", {"q_sign"}},
+      {"t", {"t"}},
+      {"e", {"e"}},
+      {"|e|", {"abs_e"}},
+      {"t e", {"t_e"}},
+      {"sin and cos of q", {"sin_q", "cos_q"}}};
   for (const auto& [word, parameters] : words) {
     if (word != feature) continue;
     std::vector<FreeNumber> numbers;

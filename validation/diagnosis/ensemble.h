@@ -71,6 +71,8 @@ class Ensemble {
   /// Causes that every model has from now on, such as what all joints share.
   void setGiven(std::vector<EffectSetting> given) { given_ = std::move(given); }
 
+  const std::vector<EffectSetting>& given() const { return given_; }
+
   /// From now on what is asked is taken from the tape, as far as it goes, and added to it; null:
   /// simulated. The tape must outlive its use.
   void setTape(EnsembleTape* tape) { tape_ = tape; }

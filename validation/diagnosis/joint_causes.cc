@@ -218,10 +218,12 @@ void addTiming(std::vector<Cause>& all) {
   all.push_back(forAll(byGrid(one("command_filter", "time", {0.015, 0.05},
                                   "{joint}'s command is smoothed over {value}",
                                   "steps and fast sweeps: a lag, not a delay"))));
-  Cause rate = byGrid(one("rate_limit", "rate", {0.2, 0.4, 0.7, 1.2},
+  Cause rate = byGrid(one("rate_limit", "rate", {0.2, 0.7},
                           "{joint}'s command moves at most with {value}", "steps of two sizes"));
   rate.free[0].form = Form::Inverse;
   rate.free[0].smallest = 0.02;  // [s/rad] a limit of 50 rad/s, which no motor here follows
+  // Nothing is to be seen of a limit that commands do not reach, and most things of a lower one.
+  for (double x = 0.05; x < 2; x *= 1.15) rate.scan.push_back(x);
   all.push_back(forAll(rate));
   all.push_back(byGrid(one("encoder_quantum", "quantum", {0.02, 0.008},
                            "{joint}'s angle is read in steps of {value}",

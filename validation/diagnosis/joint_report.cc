@@ -17,8 +17,9 @@ constexpr double kNormal90 = 1.645;          // [SD] its half, of a normal distr
 // How well a fitted noise is known: null sets draw theirs from what the fit says. Hidden nulls left
 // 0.6 to 1.09 of the noise floor (60 joints), laws without a name 5 and more.
 constexpr double kNoiseKnown = 1.1;
-constexpr int kHarmonics = 3;  // of a sawtooth: 83 % of its variance
-constexpr double kTold = 0.2;  // of a small difference's variance that data must take away
+constexpr int kHarmonics = 3;    // of a sawtooth: 83 % of its variance
+constexpr double kTold = 0.2;    // of a small difference's variance that data must take away
+constexpr double kMostly = 0.9;  // of a misfit's excess: what explains it is more than a stand-in
 
 // What the numbers of the model would have come out as in each null set: one Gauss-Newton step
 // with the sensitivities of the fit. A row per set.
@@ -214,10 +215,21 @@ void JointSearch::judge(JointVerdict& verdict) {
   if (remains) {
     doubt(verdict);
     verdict.adjustments.clear();  // they would stand in for what has no name
-    verdict.signature = signatureOf(data_, *stage_, causes_).text();
+    verdict.signature = remainingShape(verdict).text();
   }
   const bool unfinished = ensemble_.spent() && (remains || !not_tried.empty());
   verdict.verdict = unfinished ? Verdict::Unfinished : verdictOf(verdict, remains);
+}
+
+// Where what was found explains but a part, it more likely stands in for one of the unknown: all is
+// the remainder then.
+Signature JointSearch::remainingShape(const JointVerdict& verdict) const {
+  const auto excess = [](double misfit) { return misfit * misfit - 1; };
+  const double left = excess(verdict.misfit_after) / excess(verdict.misfit_before);
+  if (nominal_ && left > 1 - kMostly) return signatureOf(joint_, data_, *nominal_, {});
+  std::vector<EffectSetting> model = ensemble_.given();
+  for (const EffectSetting& one : settingsOf(causes_, stage_->model())) model.push_back(one);
+  return signatureOf(joint_, data_, *stage_, model);
 }
 
 // What is left, in SDs of what null sets leave.

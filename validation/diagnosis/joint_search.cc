@@ -115,6 +115,7 @@ std::unique_ptr<Stage> JointSearch::stageOf(const CauseList& model,
 }
 
 void JointSearch::enter(std::unique_ptr<Stage> stage) {
+  if (!nominal_) nominal_ = std::move(stage_);
   stage_ = std::move(stage);
   stage_->simulateNulls(joint_.joint());
   nulls_ = {};

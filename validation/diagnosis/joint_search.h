@@ -10,6 +10,7 @@
 #include "validation/diagnosis/beat_search.h"
 #include "validation/diagnosis/candidates.h"
 #include "validation/diagnosis/cross_validation.h"
+#include "validation/diagnosis/signature.h"
 #include "validation/diagnosis/verdict.h"
 
 namespace nao::validation {
@@ -143,6 +144,7 @@ class JointSearch {
   std::vector<Adjustment> adjustments() const;
   void judge(JointVerdict& verdict);
   void judgeRemainder(JointVerdict& verdict) const;
+  Signature remainingShape(const JointVerdict& verdict) const;
   void describe(JointVerdict& verdict);
   Finding findingOf(std::size_t place) const;
   double lastGainOf(std::size_t cause, double by_look) const;
@@ -157,8 +159,9 @@ class JointSearch {
   Ensemble ensemble_;
   Candidates candidates_;
   std::unique_ptr<Stage> stage_;
-  ModelFit fit_;          // of the model, where it is not empty
-  Eigen::VectorXd left_;  // raw residual where its numbers came to rest
+  std::unique_ptr<Stage> nominal_;  // before anything was taken, once something was
+  ModelFit fit_;                    // of the model, where it is not empty
+  Eigen::VectorXd left_;            // raw residual where its numbers came to rest
   NullRecord nulls_;
   OtherJoints others_;
   std::vector<std::size_t> given_;

@@ -29,6 +29,12 @@ struct JointMotion {
   std::vector<Eigen::MatrixXd> repeats;
 };
 
+/// A joint that is led along a course, row by row.
+struct LedRun {
+  Eigen::VectorXd torque;  // [N m] that led it: what the model lacks
+  Eigen::VectorXd error;   // [rad] its servo's, command less angle; 0 where it gives all it has
+};
+
 /// Predicts one joint's signals under any list of causes: the model of the joint level. The other
 /// joints move as they were measured. One object may be asked by several threads at once.
 class JointSimulator {
@@ -55,6 +61,13 @@ class JointSimulator {
   /// adds to it (merge_effects.h).
   virtual Eigen::MatrixXd run(const std::vector<EffectSetting>& causes, std::size_t motion,
                               std::uint64_t stream, const JointNoise& noise) const = 0;
+
+  /// What the noise-free joint lacks to move as given, `angle` [rad] on the grid of
+  /// measured()[motion]. Empty: the simulator can not tell.
+  virtual LedRun led(const std::vector<EffectSetting>& /*causes*/, std::size_t /*motion*/,
+                     const Eigen::VectorXd& /*angle*/) const {
+    return {};
+  }
 
   /// The same joint in longer steps, cheaper: for what causes change, where the error of a step
   /// falls out. Streams of even and of odd numbers share no chance.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/check.h"
+#include "validation/diagnosis/led_joint.h"
 #include "validation/diagnosis/merge_effects.h"
 #include "validation/diagnosis/run_noise.h"
 
@@ -160,6 +161,19 @@ Eigen::MatrixXd RigSimulator::run(const std::vector<EffectSetting>& causes, std:
     result.col(1) = Eigen::Map<const Eigen::VectorXd>(signals.current.data(), rows);
   }
   return result;
+}
+
+LedRun RigSimulator::led(const std::vector<EffectSetting>& causes, std::size_t motion,
+                         const Eigen::VectorXd& angle) const {
+  std::vector<EffectSetting> effects = set_->effectsWith(causes, set_->motions()[motion]);
+  effects.push_back({LedJoint::kName, {}, {joint_}, ""});
+  const Actuator& motor = set_->model().actuators[index(joint_)];
+  const double inertia = motor.rotor_inertia * (1 + linkInertia());
+  const double settle = set_->options().settle;
+  LedJoint led(angle, toSeconds(set_->row()), settle, inertia, motor.stall_torque / motor.kp);
+  rigs_[motion].run(effects, orders_[motion], *loadOf(causes, motion, 0, {}), {},
+                    fromSeconds(settle), led.in(set_->catalogue()));
+  return led.found();
 }
 
 bool RigSimulator::isCoupled() const {

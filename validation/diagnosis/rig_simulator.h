@@ -78,6 +78,8 @@ class RigSimulator final : public JointSimulator {
   const std::vector<JointMotion>& measured() const override { return measured_; }
   Eigen::MatrixXd run(const std::vector<EffectSetting>& causes, std::size_t motion,
                       std::uint64_t stream, const JointNoise& noise) const override;
+  LedRun led(const std::vector<EffectSetting>& causes, std::size_t motion,
+             const Eigen::VectorXd& angle) const override;
   double present(const std::string& effect, const std::string& parameter) const override;
   bool isCoupled() const override;
   const JointSimulator& coarse() const override { return coarse_ ? *coarse_ : *this; }

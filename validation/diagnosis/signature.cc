@@ -1,178 +1,161 @@
 #include "validation/diagnosis/signature.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <memory>
+
+#include "validation/diagnosis/led_joint.h"
+#include "validation/diagnosis/torque_features.h"
 
 namespace nao::validation {
 namespace {
 
-constexpr int kMost = 3;             // terms
-constexpr double kWorth = 0.03;      // of the torque's power: less is no term
-constexpr Eigen::Index kSmooth = 3;  // samples to each side, twice: derivatives of noise are noise
-constexpr double kSlow = 0.05;       // [rad/s] below which the sign of v fades
+constexpr int kMost = 3;            // terms
+constexpr double kWorth = 0.03;     // of what remains: less is no term
+constexpr std::size_t kNulls = 40;  // sets that tell what noise lacks
+constexpr double kBeyondNulls = 2;  // times the most that a feature explains of one of them
 
-Eigen::VectorXd smooth(const Eigen::VectorXd& x) {
-  Eigen::VectorXd mean(x.size());
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    const Eigen::Index from = std::max<Eigen::Index>(0, i - kSmooth);
-    const Eigen::Index to = std::min(x.size(), i + kSmooth + 1);
-    mean[i] = x.segment(from, to - from).mean();
-  }
-  return mean;
-}
+using Columns = std::vector<Eigen::Index>;
 
-Eigen::VectorXd slope(const Eigen::VectorXd& x, double dt) {
-  Eigen::VectorXd rate = Eigen::VectorXd::Zero(x.size());
-  for (Eigen::Index i = 1; i + 1 < x.size(); ++i) rate[i] = (x[i + 1] - x[i - 1]) / (2 * dt);
-  return rate;
-}
-
-// An angle's change with its first two derivatives, of one motion.
-Eigen::MatrixXd withRates(const Eigen::VectorXd& x, double dt) {
-  Eigen::MatrixXd all(x.size(), 3);
-  all.col(0) = smooth(smooth(x));
-  all.col(1) = slope(all.col(0), dt);
-  all.col(2) = slope(all.col(1), dt);
-  return all;
-}
-
-// Of one motion: features by column.
-struct Library {
-  std::vector<std::string> names;             // of groups
-  std::vector<std::vector<Eigen::Index>> of;  // a group's columns
-  Eigen::Index columns = 0;
-  void add(const std::string& name, Eigen::Index count) {
-    names.push_back(name);
-    of.emplace_back();
-    for (Eigen::Index i = 0; i < count; ++i) of.back().push_back(columns++);
-  }
+// Of one motion: its features, and the products that least squares on any of them need.
+struct Along {
+  Eigen::MatrixXd x, xx;
 };
 
-constexpr int kFirstRipple = 3, kLastRipple = 40;  // periods in 2 pi of the joint
-constexpr int kFirstHum = 5, kLastHum = 100;       // [0.1 Hz]
-
-Library library() {
-  Library all;
-  for (const char* name : {"1", "sgn v", "v", "v|v|", "q", "a", "q sgn v", "t"}) all.add(name, 1);
-  all.add("sin and cos of q", 2);
-  char text[40];
-  for (int n = kFirstRipple; n <= kLastRipple; ++n) {
-    std::snprintf(text, sizeof text, "sin and cos of %d q", n);
-    all.add(text, 2);
+// What remains of every motion.
+class Remainder {
+ public:
+  /// `torque` of one motion, as its features by the SD of noise.
+  void add(const std::shared_ptr<const Along>& along, const Eigen::VectorXd& torque) {
+    motions_.push_back({along, along->x.transpose() * torque});
+    excess_ += torque.squaredNorm() - static_cast<double>(torque.size());
   }
-  for (int f = kFirstHum; f <= kLastHum; ++f) {
-    std::snprintf(text, sizeof text, "sin and cos of %.1f Hz", 0.1 * f);
-    all.add(text, 2);
-  }
-  return all;
-}
+  double excess() const { return excess_; }  // squares that noise does not account for
+  std::size_t motions() const { return motions_.size(); }
+  double explained(const Columns& columns) const;
 
-Eigen::MatrixXd features(const Eigen::MatrixXd& motion, double dt, Eigen::Index columns) {
-  Eigen::MatrixXd all(motion.rows(), columns);
-  for (Eigen::Index i = 0; i < motion.rows(); ++i) {
-    const double q = motion(i, 0), v = motion(i, 1), t = dt * static_cast<double>(i);
-    const double sign = std::tanh(v / kSlow);
-    Eigen::Index at = 0;
-    for (const double x : {1.0, sign, v, v * std::abs(v), q, motion(i, 2), q * sign, t}) {
-      all(i, at++) = x;
-    }
-    const auto wave = [&](double angle) {
-      all(i, at++) = std::sin(angle);
-      all(i, at++) = std::cos(angle);
-    };
-    wave(q);
-    for (int n = kFirstRipple; n <= kLastRipple; ++n) wave(n * q);
-    for (int f = kFirstHum; f <= kLastHum; ++f) wave(0.2 * M_PI * f * t);
-  }
-  return all;
-}
-
-// The products that least squares on any of the features need, of one motion.
-struct Products {
-  Eigen::MatrixXd xx;
-  Eigen::VectorXd xy;
-  double yy = 0;
-};
-
-// What is left of left-out motions' power, with these columns fitted to the others.
-double heldOut(const std::vector<Products>& motions, const std::vector<Eigen::Index>& columns) {
-  const auto n = static_cast<Eigen::Index>(columns.size());
-  const auto pick = [&](const Products& of, Eigen::MatrixXd& xx, Eigen::VectorXd& xy) {
-    for (Eigen::Index i = 0; i < n; ++i) {
-      xy[i] += of.xy[columns[static_cast<std::size_t>(i)]];
-      for (Eigen::Index j = 0; j < n; ++j) {
-        xx(i, j) +=
-            of.xx(columns[static_cast<std::size_t>(i)], columns[static_cast<std::size_t>(j)]);
-      }
-    }
+ private:
+  struct Motion {
+    std::shared_ptr<const Along> along;
+    Eigen::VectorXd xy;
   };
-  double left = 0;
-  for (std::size_t out = 0; out < motions.size(); ++out) {
-    Eigen::MatrixXd xx = Eigen::MatrixXd::Zero(n, n), own = xx;
-    Eigen::VectorXd xy = Eigen::VectorXd::Zero(n), own_y = xy;
-    for (std::size_t m = 0; m < motions.size(); ++m) {
-      if (m != out) pick(motions[m], xx, xy);
-    }
-    pick(motions[out], own, own_y);
-    xx.diagonal() *= 1 + 1e-9;  // columns may be all but the same
-    const Eigen::VectorXd fit = xx.ldlt().solve(xy);
-    left += motions[out].yy - 2 * fit.dot(own_y) + fit.dot(own * fit);
+  std::vector<Motion> motions_;
+  double excess_ = 0;
+};
+
+// What these columns explain of left-out motions' squares, fitted to the others.
+double Remainder::explained(const Columns& columns) const {
+  const auto n = static_cast<Eigen::Index>(columns.size());
+  Eigen::MatrixXd whole_xx = Eigen::MatrixXd::Zero(n, n);
+  Eigen::VectorXd whole_xy = Eigen::VectorXd::Zero(n);
+  for (const Motion& motion : motions_) {
+    whole_xx += motion.along->xx(columns, columns);
+    whole_xy += motion.xy(columns);
   }
-  return left;
+  double explained = 0;
+  for (const Motion& out : motions_) {
+    const Eigen::MatrixXd own = out.along->xx(columns, columns);
+    const Eigen::VectorXd own_y = out.xy(columns);
+    Eigen::MatrixXd xx = whole_xx - own;
+    xx.diagonal() *= 1 + 1e-9;  // columns may be all but the same
+    const Eigen::VectorXd fit = xx.ldlt().solve(whole_xy - own_y);
+    explained += 2 * fit.dot(own_y) - fit.dot(own * fit);
+  }
+  return std::isfinite(explained) ? explained : 0;
 }
 
-Signature select(const std::vector<Products>& motions, const Library& all) {
+// Never nothing: it divides.
+double rootMeanSquare(const Eigen::MatrixXd& x) {
+  return std::sqrt(
+      std::max(x.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, x.size())), 1e-18));
+}
+
+// The torques that a model lacks, of one motion.
+class Lack {
+ public:
+  Lack(const JointSimulator& joint, const Stage& stage, const std::vector<EffectSetting>& causes,
+       const MotionSpan& span)
+      : joint_(joint),
+        causes_(causes),
+        span_(span),
+        predicted_(stage.predicted().segment(span.offset, span.rows)),
+        alone_(joint.led(causes_, span.motion, predicted_)) {}
+
+  bool isKnown() const { return alone_.torque.size() > 0; }
+  /// Where this is added to the prediction.
+  Eigen::VectorXd by(const Eigen::VectorXd& residual) const {
+    const Eigen::VectorXd moved = predicted_ + residual.segment(span_.offset, span_.rows);
+    return joint_.led(causes_, span_.motion, moved).torque - alone_.torque;
+  }
+  /// What the servo is off by along the predicted course: along the measured one every torque that
+  /// is not known shows in it.
+  const Eigen::VectorXd& error() const { return alone_.error; }
+  double dt() const { return span_.dt; }
+
+ private:
+  const JointSimulator& joint_;
+  std::vector<EffectSetting> causes_;
+  MotionSpan span_;
+  Eigen::VectorXd predicted_;
+  LedRun alone_;
+};
+
+// What the measurement and what null sets leave.
+struct Remainders {
+  Remainder measured;
+  std::vector<Remainder> nulls;
+};
+
+void addMotion(const Lack& lack, const Stage& stage, const TorqueFeatures& features,
+               const Eigen::MatrixXd& motion, Remainders& all) {
+  Eigen::MatrixXd chance(motion.rows(), static_cast<Eigen::Index>(all.nulls.size()));
+  for (Eigen::Index i = 0; i < chance.cols(); ++i) {
+    chance.col(i) = lack.by(stage.nulls()[static_cast<std::size_t>(i)]);
+  }
+  const double sd = rootMeanSquare(chance);
+  auto along = std::make_shared<Along>();
+  along->x = features.along(motion, lack.error(), lack.dt()) / sd;
+  along->xx = along->x.transpose() * along->x;
+  all.measured.add(along, lack.by(stage.raw()) / sd);
+  for (Eigen::Index i = 0; i < chance.cols(); ++i) {
+    all.nulls[static_cast<std::size_t>(i)].add(along, chance.col(i) / sd);
+  }
+}
+
+// The most that one feature explains.
+double mostOf(const Remainder& remainder, const std::vector<TorqueFeatures::Feature>& features) {
+  double most = 0;
+  for (const TorqueFeatures::Feature& one : features) {
+    most = std::max(most, remainder.explained(one.columns));
+  }
+  return most;
+}
+
+// `chance`: the most that a feature explains of null sets.
+Signature select(const Remainder& remainder, double chance,
+                 const std::vector<TorqueFeatures::Feature>& features) {
   Signature found;
-  double power = 0;
-  for (const Products& motion : motions) power += motion.yy;
-  std::vector<Eigen::Index> columns;
-  double left = power;
-  while (static_cast<int>(found.terms.size()) < kMost && power > 0) {
-    std::size_t best = all.of.size();
-    double least = left - kWorth * power;
-    for (std::size_t g = 0; g < all.of.size(); ++g) {
-      std::vector<Eigen::Index> with = columns;
-      with.insert(with.end(), all.of[g].begin(), all.of[g].end());
-      const double now = heldOut(motions, with);
-      if (now >= least) continue;
-      least = now;
-      best = g;
+  Columns columns;
+  double before = 0;
+  while (static_cast<int>(found.terms.size()) < kMost && remainder.excess() > 0) {
+    const TorqueFeatures::Feature* best = nullptr;
+    double most = before + std::max(kWorth * remainder.excess(), kBeyondNulls * chance);
+    for (const TorqueFeatures::Feature& one : features) {
+      Columns with = columns;
+      with.insert(with.end(), one.columns.begin(), one.columns.end());
+      const double now = remainder.explained(with);
+      if (now <= most) continue;
+      most = now;
+      best = &one;
     }
-    if (best == all.of.size()) break;
-    columns.insert(columns.end(), all.of[best].begin(), all.of[best].end());
-    found.terms.push_back({all.names[best], 1 - least / power});
-    left = least;
+    if (best == nullptr) break;
+    columns.insert(columns.end(), best->columns.begin(), best->columns.end());
+    found.terms.push_back({best->name, std::min(1.0, most / remainder.excess())});
+    before = most;
   }
   return found;
-}
-
-// The factors of a change of angle, its rate and its second rate that make it the torque behind it:
-// from looks at friction, whose torque is known.
-Eigen::VectorXd torqueFactors(const JointData& data, const Stage& stage,
-                              const std::vector<Cause>& causes) {
-  Eigen::MatrixXd xx = Eigen::MatrixXd::Zero(3, 3);
-  Eigen::VectorXd xy = Eigen::VectorXd::Zero(3);
-  for (const Look& look : stage.looks()) {
-    const std::string& effect = causes[look.cause].effect;
-    if (effect != "viscous_friction" && effect != "torque_bias") continue;
-    for (const MotionSpan& span : data.spans()) {
-      if (span.split != Split::Fit) continue;
-      const Eigen::MatrixXd motion =
-          withRates(data.mean().segment(span.offset, span.rows), span.dt);
-      const Eigen::MatrixXd change =
-          withRates(look.raw.mean().segment(span.offset, span.rows), span.dt);
-      const Eigen::VectorXd torque = effect == "torque_bias"
-                                         ? Eigen::VectorXd::Constant(span.rows, look.x[0])
-                                         : Eigen::VectorXd(-look.x[0] * motion.col(1));
-      const double weight = 1 / std::max(torque.squaredNorm(), 1e-12);
-      xx += weight * change.transpose() * change;
-      xy += weight * change.transpose() * torque;
-    }
-  }
-  return xx.ldlt().solve(xy);
 }
 
 }  // namespace
@@ -188,20 +171,22 @@ std::string Signature::text() const {
   return all;
 }
 
-Signature signatureOf(const JointData& data, const Stage& stage, const std::vector<Cause>& causes) {
-  const Eigen::VectorXd factors = torqueFactors(data, stage, causes);
-  const Library all = library();
-  std::vector<Products> motions;
+Signature signatureOf(const JointSimulator& joint, const JointData& data, const Stage& stage,
+                      const std::vector<EffectSetting>& causes) {
+  const TorqueFeatures features;
+  Remainders all;
+  all.nulls.resize(std::min(kNulls, stage.nulls().size()));
   for (const MotionSpan& span : data.spans()) {
     if (span.split != Split::Fit) continue;
+    const Lack lack(joint, stage, causes, span);
+    if (!lack.isKnown()) return {};
     const Eigen::MatrixXd motion = withRates(data.mean().segment(span.offset, span.rows), span.dt);
-    const Eigen::MatrixXd x = features(motion, span.dt, all.columns);
-    const Eigen::VectorXd torque =
-        withRates(stage.raw().segment(span.offset, span.rows), span.dt) * factors;
-    motions.push_back({x.transpose() * x, x.transpose() * torque, torque.squaredNorm()});
+    addMotion(lack, stage, features, motion, all);
   }
-  if (motions.size() < 2) return {};
-  return select(motions, all);
+  if (all.measured.motions() < 2) return {};
+  double chance = 0;
+  for (const Remainder& null : all.nulls) chance = std::max(chance, mostOf(null, features.all()));
+  return select(all.measured, chance, features.all());
 }
 
 }  // namespace nao::validation

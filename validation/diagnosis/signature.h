@@ -22,9 +22,10 @@ struct Signature {
   std::string text() const;
 };
 
-/// `stage` at the fitted model. The residual becomes a torque by the joint's own response to known
-/// torques, which the stage's looks at friction show; the prediction it is taken from is already
-/// what simulated noise leaves, so that a null has no signature.
-Signature signatureOf(const JointData& data, const Stage& stage, const std::vector<Cause>& causes);
+/// What `stage` leaves, whose model are `causes`: the torque that the model lacks to move as it was
+/// measured, less what it lacks to move as it is predicted. What null sets lack by chance is no
+/// remainder.
+Signature signatureOf(const JointSimulator& joint, const JointData& data, const Stage& stage,
+                      const std::vector<EffectSetting>& causes);
 
 }  // namespace nao::validation

@@ -19,7 +19,7 @@ std::string signature(const ToyLaws& truth) {
   }
   JointSearch search(toy, test::kToyNoise, causes, {4, 8, 24, 40, 1, 1, 1}, 1000000);
   search.begin();
-  return signatureOf(search.data(), search.stage(), search.causes()).text();
+  return signatureOf(toy, search.data(), search.stage(), {}).text();
 }
 
 TEST(Signature, FindsTheRippleOfACoggingMotor) {
@@ -39,6 +39,12 @@ TEST(Signature, FindsDragThatGrowsWithTheSquareOfSpeed) {
   ToyLaws laws;
   laws.drag = 0.1;
   EXPECT_EQ(signature(laws).rfind("v|v|", 0), 0u) << signature(laws);
+}
+
+TEST(Signature, FindsAGainThatGrows) {
+  ToyLaws laws;
+  laws.rise = 0.1;
+  EXPECT_EQ(signature(laws).rfind("t e", 0), 0u) << signature(laws);
 }
 
 TEST(Signature, FindsNothingWhereNothingIs) { EXPECT_EQ(signature({}), ""); }

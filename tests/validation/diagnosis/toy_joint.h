@@ -10,6 +10,7 @@
 #include "core/random.h"
 #include "validation/diagnosis/causes.h"
 #include "validation/diagnosis/joint_simulator.h"
+#include "validation/diagnosis/led_joint.h"
 
 namespace nao::validation::test {
 
@@ -26,8 +27,8 @@ struct ToyLaws {
   double latency = 0.01, hold = 0, filter = 0, rate = 1e9, sensor_delay = 0.005, quantum = 0.0015;
   double stop = -0.9;  // [rad] where it gets no lower
   // No cause of the catalogue below:
-  double cogging = 0, cogs = 18, drag = 0, spring = 0, hum = 0;  // [N m], [1/rad], ...
-  double step = 0.002;                                           // [s]
+  double cogging = 0, cogs = 18, drag = 0, spring = 0, hum = 0, rise = 0;  // [N m], ...
+  double step = 0.002;                                                     // [s]
 
   void set(const std::string& effect, const std::map<std::string, double>& p);
 };
@@ -108,6 +109,23 @@ class ToyRun {
     return angle;
   }
 
+  /// By a stiff spring.
+  LedRun led(const Eigen::VectorXd& angle, double dt = 0.01) {
+    lead_ = withRates(angle, dt);
+    LedRun found{Eigen::VectorXd(angle.size()), Eigen::VectorXd(angle.size())};
+    q_ = filtered_ = limited_ = played_ = lead_(0, 0);
+    const int steps = static_cast<int>(std::lround(dt / laws_.step));
+    for (row_ = 0; row_ < angle.size(); ++row_) {
+      led_by_ = 0;
+      trail_.assign(1, q_);
+      for (int i = 0; i < steps; ++i) step();
+      found.torque[row_] = led_by_ / steps;
+      const double error = filtered_ - q_ - laws_.zero;
+      found.error[row_] = std::abs(error) < laws_.stall / laws_.kp ? error : 0;
+    }
+    return found;
+  }
+
  private:
   static constexpr double kAge = 0.004;  // [s] for which the random torque stays
 
@@ -136,7 +154,8 @@ class ToyRun {
   double servo(double error) const {
     const double dead = laws_.deadband;
     if (std::abs(error) <= dead) return -laws_.kd * u_;
-    const double torque = laws_.kp * (error - std::copysign(dead, error)) - laws_.kd * u_;
+    const double kp = laws_.kp * (1 + laws_.rise * t_);  // a gain that grows
+    const double torque = kp * (error - std::copysign(dead, error)) - laws_.kd * u_;
     const double level = laws_.stall * (1 - laws_.drop), slope = laws_.stall * u_ / laws_.no_load;
     return std::clamp(torque, std::min(0.0, -level - slope), std::max(0.0, level - slope));
   }
@@ -147,7 +166,7 @@ class ToyRun {
     const double weight =
         -laws_.mass * laws_.gravity * laws_.length * std::sin(q_ + laws_.tilt) + laws_.bias;
     const double motor = servo(command() - q_ - laws_.zero);
-    const double smooth = weight + torque_ + motor + strange();
+    const double smooth = weight + torque_ + motor + strange() + lead();
     double u = (u_ + h * (smooth) / inertia) / (1 + h * laws_.viscous / inertia);
     const double near = u_ / laws_.stribeck_speed;
     const double dry =
@@ -168,6 +187,13 @@ class ToyRun {
     trail_[newest_] = played_ + laws_.zero;
   }
 
+  double lead() {
+    if (lead_.rows() == 0) return 0;
+    const double torque = 450 * (lead_(row_, 0) - q_) + 5 * (lead_(row_, 1) - u_);
+    led_by_ += torque;
+    return torque;
+  }
+
   double strange() const {
     return laws_.cogging * std::sin(laws_.cogs * q_) - laws_.drag * u_ * std::abs(u_) -
            laws_.spring * q_ + laws_.hum * std::sin(2 * M_PI * 3.1 * t_);
@@ -181,6 +207,9 @@ class ToyRun {
   double t_ = 0, q_ = 0, u_ = 0, filtered_ = 0, limited_ = 0, played_ = 0;
   std::vector<double> trail_;
   std::size_t newest_ = 0;
+  Eigen::MatrixXd lead_;  // course, rate and second rate to be led along; empty: none
+  Eigen::Index row_ = 0;
+  double led_by_ = 0;  // [N m] summed up over a row
 };
 
 inline const JointNoise kToyNoise{0.03, 0.05, 0.001, 0.0015};
@@ -211,6 +240,13 @@ class ToyJoint final : public JointSimulator {
     laws.sent = sent_;
     for (const EffectSetting& cause : causes) laws.set(cause.name, cause.parameters);
     return ToyRun(laws, motion, stream, noise).record();
+  }
+  LedRun led(const std::vector<EffectSetting>& causes, std::size_t motion,
+             const Eigen::VectorXd& angle) const override {
+    ToyLaws laws;
+    laws.sent = sent_;
+    for (const EffectSetting& cause : causes) laws.set(cause.name, cause.parameters);
+    return ToyRun(laws, motion, 0, {}).led(angle);
   }
   double present(const std::string& effect, const std::string& /*parameter*/) const override {
     const ToyLaws laws;

@@ -1,0 +1,87 @@
+#include "validation/diagnosis/torque_features.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace nao::validation {
+namespace {
+
+constexpr int kFirstRipple = 3, kLastRipple = 40;  // periods in 2 pi of the joint
+constexpr int kLastPatch = 16;                     // of a friction's
+constexpr int kFirstHum = 5, kLastHum = 100;       // [0.1 Hz]
+constexpr double kSlow = 0.05;                     // [rad/s] below which the sign of v fades
+
+struct Moment {
+  double q, v, a, t, e;  // angle, rate, second rate, time, what the servo is off by
+};
+
+double sign(double v) { return std::tanh(v / kSlow); }
+
+struct Simple {
+  const char* name;
+  double (*of)(const Moment&);
+};
+constexpr Simple kSimple[] = {
+    {"1", [](const Moment&) { return 1.0; }},
+    {"sgn v", [](const Moment& m) { return sign(m.v); }},
+    {"v", [](const Moment& m) { return m.v; }},
+    {"v|v|", [](const Moment& m) { return m.v * std::abs(m.v); }},
+    {"q", [](const Moment& m) { return m.q; }},
+    {"a", [](const Moment& m) { return m.a; }},
+    {"q sgn v", [](const Moment& m) { return m.q * sign(m.v); }},
+    {"t", [](const Moment& m) { return m.t; }},
+    {"e", [](const Moment& m) { return m.e; }},
+    {"|e|", [](const Moment& m) { return std::abs(m.e); }},
+    {"t e", [](const Moment& m) { return m.t * m.e; }},
+};
+
+}  // namespace
+
+TorqueFeatures::TorqueFeatures() {
+  for (const Simple& one : kSimple) add(one.name, 1);
+  add("sin and cos of q", 2);
+  char text[40];
+  for (int n = kFirstRipple; n <= kLastRipple; ++n) {
+    std::snprintf(text, sizeof text, "sin and cos of %d q", n);
+    add(text, 2);
+  }
+  for (int n = 1; n <= kLastPatch; ++n) {
+    std::snprintf(text, sizeof text, "sgn v with sin and cos of %d q", n);
+    add(text, 3);
+  }
+  for (int f = kFirstHum; f <= kLastHum; ++f) {
+    std::snprintf(text, sizeof text, "sin and cos of %.1f Hz", 0.1 * f);
+    add(text, 2);
+  }
+}
+
+void TorqueFeatures::add(const std::string& name, Eigen::Index columns) {
+  features_.push_back({name, {}});
+  for (Eigen::Index i = 0; i < columns; ++i) features_.back().columns.push_back(columns_++);
+}
+
+Eigen::MatrixXd TorqueFeatures::along(const Eigen::MatrixXd& motion, const Eigen::VectorXd& error,
+                                      double dt) const {
+  Eigen::MatrixXd all(motion.rows(), columns_);
+  for (Eigen::Index i = 0; i < motion.rows(); ++i) {
+    const double q = motion(i, 0), t = dt * static_cast<double>(i);
+    const Moment moment{q, motion(i, 1), motion(i, 2), t, error[i]};
+    Eigen::Index at = 0;
+    for (const Simple& one : kSimple) all(i, at++) = one.of(moment);
+    const auto wave = [&](double angle) {
+      all(i, at++) = std::sin(angle);
+      all(i, at++) = std::cos(angle);
+    };
+    wave(q);
+    for (int n = kFirstRipple; n <= kLastRipple; ++n) wave(n * q);
+    for (int n = 1; n <= kLastPatch; ++n) {
+      for (const double part : {1.0, std::sin(n * q), std::cos(n * q)}) {
+        all(i, at++) = part * sign(moment.v);
+      }
+    }
+    for (int f = kFirstHum; f <= kLastHum; ++f) wave(0.2 * M_PI * f * t);
+  }
+  return all;
+}
+
+}  // namespace nao::validation
