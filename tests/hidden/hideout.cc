@@ -204,7 +204,7 @@ std::vector<Hideout> strangerHideouts() {
       stranger("hidden_one_sided_gain", 0.4, 5, {"e", "|e|"}),
       stranger("hidden_drifting_gain", 0.15, 5, {"t e"}),
       stranger("hidden_command_hysteresis", 0.03, 0.4, {"sgn v"}),
-      stranger("hidden_eccentric_encoder", 0.03, 0.25, {"q", "sin and cos of"}),
+      stranger("hidden_eccentric_encoder", 0.03, 0.25, {"misreading by sin and cos of"}),
   });
 }
 

@@ -95,7 +95,9 @@ std::vector<Provisional> provisionalAmong(std::vector<PlacedCause>& causes,
     const bool again = std::any_of(found.begin(), found.end(), [&](const Provisional& other) {
       return other.chosen.cause == at;
     });
-    if (!again && causes[at].cause.free.size() == one.x.size()) found.push_back({one, {at, one.x}});
+    std::vector<double> x = one.x;  // second numbers may be no concern of this level
+    if (x.size() > causes[at].cause.free.size()) x.resize(causes[at].cause.free.size());
+    if (!again && causes[at].cause.free.size() == x.size()) found.push_back({one, {at, x}});
   }
   return found;
 }

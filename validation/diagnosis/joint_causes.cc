@@ -77,10 +77,11 @@ void addFriction(std::vector<Cause>& all) {
   all.push_back(one("viscous_friction", "coefficient", {0.05, 0.3, -0.05},
                     "{joint} is damped by {value} more than the model",
                     "a fall with the motor switched off"));
-  all.push_back(byGrid(shaped(
-      one("stribeck_friction", "torque", {0.1, 0.4}, "{joint} sticks near standstill with {value}",
-          "slow triangles with and without load"),
-      "speed", {0, 0.3})));
+  all.push_back(byGrid(shaped(shaped(one("stribeck_friction", "torque", {0.1, 0.4},
+                                         "{joint} sticks near standstill with {value}",
+                                         "slow triangles with and without load"),
+                                     "speed", {0, 0.3}),
+                              "exponent", {0})));
   all.push_back(shaped(one("load_friction", "share", {0.1, 0.3},
                            "{joint}'s friction grows by {value} of the torque its gear carries",
                            "the same sweep with a light and a heavy load"),
@@ -139,12 +140,14 @@ void addServo(std::vector<Cause>& all) {
 }
 
 void addGear(std::vector<Cause>& all) {
-  all.push_back(byGrid(one("backlash", "width", {0.02, 0.007, 0.05, -0.008},
-                           "{joint}'s gear has {value} of play more than the model",
-                           "a slow triangle through zero load")));
-  all.push_back(
-      byGrid(one("gear_compliance", "compliance", {0.004, 0.015, 0.06},
-                 "{joint}'s gear twists by {value}", "a static load sweep seen from outside")));
+  all.push_back(byGrid(shaped(one("backlash", "width", {0.02, 0.007, 0.05, -0.008},
+                                  "{joint}'s gear has {value} of play more than the model",
+                                  "a slow triangle through zero load"),
+                              "compliance", {0, 0.002})));
+  all.push_back(byGrid(
+      shaped(one("gear_compliance", "compliance", {0.004, 0.015, 0.06},
+                 "{joint}'s gear twists by {value}", "a static load sweep seen from outside"),
+             "damping", {0, -0.15})));
   all.push_back(one("cable_spring", "stiffness", {0.5, -0.3},
                     "a cable or skin pulls {joint} back with {value}",
                     "the same motion with the base turned by 90 degrees"));
@@ -254,7 +257,10 @@ const std::vector<Cause>& benchCauses() {
   static const std::vector<Cause> causes = [] {
     std::vector<Cause> all = jointCauses();
     for (Cause& cause : all) {
-      if (cause.id == "load_friction") cause.free.resize(1);  // without repeats: no shape
+      for (const char* id : {"load_friction", "backlash", "gear_compliance"}) {
+        if (cause.id == id) cause.free.resize(1);  // without repeats: no shape
+      }
+      if (cause.id == "stribeck_friction") cause.free.resize(2);
     }
     all.push_back(one("quadratic_load_friction", "coefficient", {0.3, 1, 2},
                       "{joint}'s friction grows by {value} with the square of its gear's torque",

@@ -63,9 +63,10 @@ class JointSimulator {
                               std::uint64_t stream, const JointNoise& noise) const = 0;
 
   /// What the noise-free joint lacks to move as given, `angle` [rad] on the grid of
-  /// measured()[motion]. Empty: the simulator can not tell.
+  /// measured()[motion], where its encoder reads `misread` [rad] more. Empty: the simulator can not
+  /// tell.
   virtual LedRun led(const std::vector<EffectSetting>& /*causes*/, std::size_t /*motion*/,
-                     const Eigen::VectorXd& /*angle*/) const {
+                     const Eigen::VectorXd& /*angle*/, const Eigen::VectorXd& /*misread*/) const {
     return {};
   }
 

@@ -50,6 +50,10 @@ class LedJoint::Lead final : public sim::Effect {
  public:
   explicit Lead(LedJoint& led) : led_(led) {}
 
+  void alterCommand(JointCommand& command, SimTime now, double) override {
+    command.angle[0] -= at(led_.misread_, (toSeconds(now) - led_.settle_) / led_.row_);
+  }
+
   void alterDrive(const sim::DriveMoment& moment, sim::DriveTerms& terms) override {
     const double place = (toSeconds(moment.time) - led_.settle_) / led_.row_;
     const double drag = led_.damping_ * (at(led_.rate_, place) - moment.rate[0]);
@@ -68,8 +72,8 @@ class LedJoint::Lead final : public sim::Effect {
   LedJoint& led_;
 };
 
-LedJoint::LedJoint(const Eigen::VectorXd& angle, double row, double settle, double inertia,
-                   double reach)
+LedJoint::LedJoint(const Eigen::VectorXd& angle, const Eigen::VectorXd& misread, double row,
+                   double settle, double inertia, double reach)
     : row_(row),
       settle_(settle),
       reach_(reach),
@@ -80,13 +84,14 @@ LedJoint::LedJoint(const Eigen::VectorXd& angle, double row, double settle, doub
   const Eigen::MatrixXd course = withRates(angle, row);
   angle_ = course.col(0);
   rate_ = course.col(1);
+  misread_ = smooth(smooth(misread));
 }
 
 sim::EffectCatalogue LedJoint::in(sim::EffectCatalogue catalogue) {
   catalogue.add({kName,
                  "The joint is led along a course.",
                  {},
-                 sim::Acts::OnDrive,
+                 sim::Acts::OnCommand | sim::Acts::OnDrive,
                  [this](const sim::EffectSetup&) { return std::make_unique<Lead>(*this); }});
   return catalogue;
 }

@@ -15,10 +15,11 @@ namespace nao::validation {
 /// must outlive the run.
 class LedJoint {
  public:
-  /// `angle` [rad] per row, rows `row` seconds apart, the first held for `settle` seconds before;
-  /// smoothed here. `inertia` [kg m^2] of what is led; `reach` [rad]: by how much its servo may be
-  /// off before the motor gives all it has.
-  LedJoint(const Eigen::VectorXd& angle, double row, double settle, double inertia, double reach);
+  /// `angle` [rad] per row, of which the encoder reads `misread` [rad] too much, rows `row` seconds
+  /// apart, the first held for `settle` seconds before; smoothed here. `inertia` [kg m^2] of what
+  /// is led; `reach` [rad]: by how much its servo may be off before the motor gives all it has.
+  LedJoint(const Eigen::VectorXd& angle, const Eigen::VectorXd& misread, double row, double settle,
+           double inertia, double reach);
   LedJoint(const LedJoint&) = delete;
   LedJoint& operator=(const LedJoint&) = delete;
 
@@ -31,7 +32,7 @@ class LedJoint {
  private:
   class Lead;
 
-  Eigen::VectorXd angle_, rate_;
+  Eigen::VectorXd angle_, rate_, misread_;
   double row_, settle_, reach_;
   double stiffness_, damping_;  // [N m/rad], [N m s/rad]
   LedRun sum_;

@@ -164,13 +164,14 @@ Eigen::MatrixXd RigSimulator::run(const std::vector<EffectSetting>& causes, std:
 }
 
 LedRun RigSimulator::led(const std::vector<EffectSetting>& causes, std::size_t motion,
-                         const Eigen::VectorXd& angle) const {
+                         const Eigen::VectorXd& angle, const Eigen::VectorXd& misread) const {
   std::vector<EffectSetting> effects = set_->effectsWith(causes, set_->motions()[motion]);
   effects.push_back({LedJoint::kName, {}, {joint_}, ""});
   const Actuator& motor = set_->model().actuators[index(joint_)];
   const double inertia = motor.rotor_inertia * (1 + linkInertia());
   const double settle = set_->options().settle;
-  LedJoint led(angle, toSeconds(set_->row()), settle, inertia, motor.stall_torque / motor.kp);
+  LedJoint led(angle, misread, toSeconds(set_->row()), settle, inertia,
+               motor.stall_torque / motor.kp);
   rigs_[motion].run(effects, orders_[motion], *loadOf(causes, motion, 0, {}), {},
                     fromSeconds(settle), led.in(set_->catalogue()));
   return led.found();

@@ -13,8 +13,9 @@ namespace nao::validation {
 namespace {
 
 constexpr int kMost = 3;            // terms
-constexpr double kWorth = 0.03;     // of what remains: less is no term
+constexpr double kWorth = 0.03;     // of what remains: less per column is no term
 constexpr std::size_t kNulls = 40;  // sets that tell what noise lacks
+constexpr double kMisread = 0.02;   // [rad]
 constexpr double kBeyondNulls = 2;  // times the most that a feature explains of one of them
 
 using Columns = std::vector<Eigen::Index>;
@@ -81,14 +82,22 @@ class Lack {
         causes_(causes),
         span_(span),
         predicted_(stage.predicted().segment(span.offset, span.rows)),
-        alone_(joint.led(causes_, span.motion, predicted_)) {}
+        nothing_(Eigen::VectorXd::Zero(span.rows)),
+        alone_(joint.led(causes_, span.motion, predicted_, nothing_)) {}
 
   bool isKnown() const { return alone_.torque.size() > 0; }
   /// Where this is added to the prediction.
   Eigen::VectorXd by(const Eigen::VectorXd& residual) const {
     const Eigen::VectorXd moved = predicted_ + residual.segment(span_.offset, span_.rows);
-    return joint_.led(causes_, span_.motion, moved).torque - alone_.torque;
+    return joint_.led(causes_, span_.motion, moved, nothing_).torque - alone_.torque;
   }
+  /// Where readings, on the predicted course, are `misread` too much, per unit of that.
+  Eigen::VectorXd byMisreading(const Eigen::VectorXd& shape) const {
+    const Eigen::VectorXd misread = kMisread * shape;
+    const Eigen::VectorXd turned = predicted_ - misread;
+    return (alone_.torque - joint_.led(causes_, span_.motion, turned, misread).torque) / kMisread;
+  }
+  const Eigen::VectorXd& course() const { return predicted_; }
   /// What the servo is off by along the predicted course: along the measured one every torque that
   /// is not known shows in it.
   const Eigen::VectorXd& error() const { return alone_.error; }
@@ -98,7 +107,7 @@ class Lack {
   const JointSimulator& joint_;
   std::vector<EffectSetting> causes_;
   MotionSpan span_;
-  Eigen::VectorXd predicted_;
+  Eigen::VectorXd predicted_, nothing_;
   LedRun alone_;
 };
 
@@ -116,7 +125,12 @@ void addMotion(const Lack& lack, const Stage& stage, const TorqueFeatures& featu
   }
   const double sd = rootMeanSquare(chance);
   auto along = std::make_shared<Along>();
-  along->x = features.along(motion, lack.error(), lack.dt()) / sd;
+  along->x = features.along(motion, lack.error(), lack.dt());
+  for (Eigen::Index i = 0; i < features.misreadings(); ++i) {
+    along->x.col(features.columns() - features.misreadings() + i) =
+        lack.byMisreading(features.misreading(i, lack.course()));
+  }
+  along->x /= sd;
   along->xx = along->x.transpose() * along->x;
   all.measured.add(along, lack.by(stage.raw()) / sd);
   for (Eigen::Index i = 0; i < chance.cols(); ++i) {
@@ -139,15 +153,21 @@ Signature select(const Remainder& remainder, double chance,
   Signature found;
   Columns columns;
   double before = 0;
+  const auto cost = [&](const TorqueFeatures::Feature& one) {
+    const auto count = static_cast<double>(one.columns.size());
+    return std::max(count * kWorth * remainder.excess(), kBeyondNulls * chance);
+  };
   while (static_cast<int>(found.terms.size()) < kMost && remainder.excess() > 0) {
     const TorqueFeatures::Feature* best = nullptr;
-    double most = before + std::max(kWorth * remainder.excess(), kBeyondNulls * chance);
+    double most = before, merit = before;  // what is explained, and less what its columns cost
     for (const TorqueFeatures::Feature& one : features) {
       Columns with = columns;
       with.insert(with.end(), one.columns.begin(), one.columns.end());
       const double now = remainder.explained(with);
-      if (now <= most) continue;
+      const double worth = now - cost(one);
+      if (worth <= merit) continue;
       most = now;
+      merit = worth;
       best = &one;
     }
     if (best == nullptr) break;

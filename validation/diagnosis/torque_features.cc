@@ -8,6 +8,7 @@ namespace {
 
 constexpr int kFirstRipple = 3, kLastRipple = 40;  // periods in 2 pi of the joint
 constexpr int kLastPatch = 16;                     // of a friction's
+constexpr int kLastEccentric = 12;                 // of an encoder's error
 constexpr int kFirstHum = 5, kLastHum = 100;       // [0.1 Hz]
 constexpr double kSlow = 0.05;                     // [rad/s] below which the sign of v fades
 
@@ -53,6 +54,18 @@ TorqueFeatures::TorqueFeatures() {
     std::snprintf(text, sizeof text, "sin and cos of %.1f Hz", 0.1 * f);
     add(text, 2);
   }
+  const Eigen::Index torques = columns_;
+  for (int n = 1; n <= kLastEccentric; ++n) {
+    std::snprintf(text, sizeof text, "misreading by sin and cos of %d q", n);
+    add(text, 2);
+  }
+  misreadings_ = columns_ - torques;
+}
+
+Eigen::VectorXd TorqueFeatures::misreading(Eigen::Index i, const Eigen::VectorXd& angle) const {
+  const Eigen::ArrayXd turned = static_cast<double>(i / 2 + 1) * angle.array();
+  if (i % 2 == 0) return turned.sin();
+  return turned.cos();
 }
 
 void TorqueFeatures::add(const std::string& name, Eigen::Index columns) {
@@ -62,7 +75,7 @@ void TorqueFeatures::add(const std::string& name, Eigen::Index columns) {
 
 Eigen::MatrixXd TorqueFeatures::along(const Eigen::MatrixXd& motion, const Eigen::VectorXd& error,
                                       double dt) const {
-  Eigen::MatrixXd all(motion.rows(), columns_);
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(motion.rows(), columns_);
   for (Eigen::Index i = 0; i < motion.rows(); ++i) {
     const double q = motion(i, 0), t = dt * static_cast<double>(i);
     const Moment moment{q, motion(i, 1), motion(i, 2), t, error[i]};

@@ -39,12 +39,16 @@ const Ids kArmJoint{"encoder_offset", "kp_error", "coulomb_friction"};
 const Ids kHull{"coupled_stop.upper", "coupled_stop.lower"};
 const Ids kStops{"joint_stop.upper", "joint_stop.lower"};
 
-// How the weight of a heavier link is spread, and what friction goes with, is left to the joint.
+// How the weight of a heavier link is spread, what friction goes with, how a gear gives way: such
+// second numbers are left to the joint.
 const std::vector<Cause>& knownCauses() {
   static const std::vector<Cause> causes = [] {
     std::vector<Cause> all = jointCauses();
     for (Cause& cause : all) {
-      if (cause.id == "link_mass" || cause.id == "load_friction") cause.free.resize(1);
+      for (const char* id : {"link_mass", "load_friction", "backlash", "gear_compliance"}) {
+        if (cause.id == id) cause.free.resize(1);
+      }
+      if (cause.id == "stribeck_friction") cause.free.resize(2);
     }
     return all;
   }();

@@ -34,6 +34,15 @@ TEST(Backlash, LosesItsWidthWhenTheLoadTurnsRoundAndTheEncoderDoesNotSeeIt) {
   EXPECT_NEAR(rod_up - encoder_up, rod_up - rod_down - (rod_up - encoder_down), 1e-3);
 }
 
+TEST(Backlash, OfSoftFlanksBendsBeyondItsWidth) {
+  constexpr double kWidth = 0.024, kCompliance = 0.004, kPull = 1.5;
+  Rig rig(geared(), {effect("backlash", {{"width", kWidth}, {"compliance", kCompliance}})});
+  const auto [rod_up, encoder_up] = restUnder(rig, kPull);
+  const auto [rod_down, encoder_down] = restUnder(rig, -kPull);
+  const double lost = (rod_up - encoder_up) - (rod_down - encoder_down);
+  EXPECT_NEAR(lost, kWidth + 2 * kPull * kCompliance, 1e-5);
+}
+
 TEST(Backlash, LetsTheRodSwingFreelyWithinIt) {
   Rig rig(geared(), {effect("backlash", {{"width", 0.2}})});
   rig.body().place({}, JointArray<double>(1, 0.0));

@@ -73,10 +73,10 @@ TEST(HandedOn, StandsAmongTheCausesOfALevelThatDoesNotTryItByItself) {
   const std::vector<Joint> leg = jointsOf(*model, "LLeg", all);
   std::vector<PlacedCause> causes = limbCauses(*model, "LLeg", all);
   const std::size_t tried = causes.size();
-  const std::vector<HandedOn> handed_on{{"LKneePitch", "backlash", {0.01}, true},
+  const std::vector<HandedOn> handed_on{{"LKneePitch", "backlash", {0.01, 0}, true},
                                         {"LKneePitch", "rate_limit", {5}, true},
                                         {"LKneePitch", "motor_inertia", {0.5}, true},
-                                        {"RKneePitch", "backlash", {0.01}, true},
+                                        {"RKneePitch", "backlash", {0.01, 0}, true},
                                         {"robot", "command_latency", {0.004}, true}};
   const auto found = provisionalAmong(causes, handed_on, leg, *model, all);
   ASSERT_EQ(found.size(), 3u);  // the others are none of this limb's
@@ -94,8 +94,8 @@ TEST(HandedOn, StandsAmongTheCausesOfALevelThatDoesNotTryItByItself) {
 TEST(HandedOn, WhatNoSearchCanTryIsTold) {
   const auto model = test::robot("nao_h21_v33");
   const std::vector<Joint> measured{*model->findJoint("LKneePitch")};
-  const std::vector<HandedOn> handed_on{{"LKneePitch", "backlash", {0.01}, true},
-                                        {"LHipYawPitch", "backlash", {0.01}, true},
+  const std::vector<HandedOn> handed_on{{"LKneePitch", "backlash", {0.01, 0}, true},
+                                        {"LHipYawPitch", "backlash", {0.01, 0}, true},
                                         {"LKneePitch", "gremlins", {0.01}, true},
                                         {"robot", "command_latency", {0.004}, true}};
   const auto at_limb = notTriedAmong(handed_on, false, *model, measured);

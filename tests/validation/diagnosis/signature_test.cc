@@ -47,6 +47,12 @@ TEST(Signature, FindsAGainThatGrows) {
   EXPECT_EQ(signature(laws).rfind("t e", 0), 0u) << signature(laws);
 }
 
+TEST(Signature, FindsAnEccentricEncoder) {
+  ToyLaws laws;
+  laws.eccentric = 0.05;
+  EXPECT_EQ(signature(laws).rfind("misreading by sin and cos of 3 q", 0), 0u) << signature(laws);
+}
+
 TEST(Signature, FindsNothingWhereNothingIs) { EXPECT_EQ(signature({}), ""); }
 
 }  // namespace

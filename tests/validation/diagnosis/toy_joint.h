@@ -27,8 +27,8 @@ struct ToyLaws {
   double latency = 0.01, hold = 0, filter = 0, rate = 1e9, sensor_delay = 0.005, quantum = 0.0015;
   double stop = -0.9;  // [rad] where it gets no lower
   // No cause of the catalogue below:
-  double cogging = 0, cogs = 18, drag = 0, spring = 0, hum = 0, rise = 0;  // [N m], ...
-  double step = 0.002;                                                     // [s]
+  double cogging = 0, cogs = 18, drag = 0, spring = 0, hum = 0, rise = 0, eccentric = 0;
+  double step = 0.002;  // [s]
 
   void set(const std::string& effect, const std::map<std::string, double>& p);
 };
@@ -110,13 +110,14 @@ class ToyRun {
   }
 
   /// By a stiff spring.
-  LedRun led(const Eigen::VectorXd& angle, double dt = 0.01) {
+  LedRun led(const Eigen::VectorXd& angle, const Eigen::VectorXd& misread, double dt = 0.01) {
     lead_ = withRates(angle, dt);
     LedRun found{Eigen::VectorXd(angle.size()), Eigen::VectorXd(angle.size())};
     q_ = filtered_ = limited_ = played_ = lead_(0, 0);
     const int steps = static_cast<int>(std::lround(dt / laws_.step));
     for (row_ = 0; row_ < angle.size(); ++row_) {
       led_by_ = 0;
+      laws_.zero = misread[row_];
       trail_.assign(1, q_);
       for (int i = 0; i < steps; ++i) step();
       found.torque[row_] = led_by_ / steps;
@@ -165,7 +166,7 @@ class ToyRun {
     const double inertia = laws_.rotor + laws_.mass * laws_.length * laws_.length;
     const double weight =
         -laws_.mass * laws_.gravity * laws_.length * std::sin(q_ + laws_.tilt) + laws_.bias;
-    const double motor = servo(command() - q_ - laws_.zero);
+    const double motor = servo(command() - q_ - misread());
     const double smooth = weight + torque_ + motor + strange() + lead();
     double u = (u_ + h * (smooth) / inertia) / (1 + h * laws_.viscous / inertia);
     const double near = u_ / laws_.stribeck_speed;
@@ -184,8 +185,10 @@ class ToyRun {
     }
     played_ = std::clamp(played_, q_ - laws_.play / 2, q_ + laws_.play / 2);
     newest_ = (newest_ + 1) % trail_.size();
-    trail_[newest_] = played_ + laws_.zero;
+    trail_[newest_] = played_ + misread();
   }
+
+  double misread() const { return laws_.zero + laws_.eccentric * std::sin(3 * q_); }
 
   double lead() {
     if (lead_.rows() == 0) return 0;
@@ -242,11 +245,11 @@ class ToyJoint final : public JointSimulator {
     return ToyRun(laws, motion, stream, noise).record();
   }
   LedRun led(const std::vector<EffectSetting>& causes, std::size_t motion,
-             const Eigen::VectorXd& angle) const override {
+             const Eigen::VectorXd& angle, const Eigen::VectorXd& misread) const override {
     ToyLaws laws;
     laws.sent = sent_;
     for (const EffectSetting& cause : causes) laws.set(cause.name, cause.parameters);
-    return ToyRun(laws, motion, 0, {}).led(angle);
+    return ToyRun(laws, motion, 0, {}).led(angle, misread);
   }
   double present(const std::string& effect, const std::string& /*parameter*/) const override {
     const ToyLaws laws;
