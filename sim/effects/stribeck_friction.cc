@@ -1,6 +1,5 @@
-// Extra dry friction near standstill: budget = torque exp(-|q' / speed|^exponent).
-// Source: Stribeck curve in its Gaussian form (exponent 2; Armstrong-Helouvry, Dupont, Canudas de
-// Wit 1994), which others found to fall slower (from 0.5) or faster.
+// Extra dry friction near standstill: budget = torque exp(-(q' / speed)^2).
+// Source: Stribeck curve in its Gaussian form (Armstrong-Helouvry, Dupont, Canudas de Wit 1994).
 #include <cmath>
 
 #include "sim/effects/effect.h"
@@ -11,16 +10,12 @@ namespace {
 class StribeckFriction final : public Effect {
  public:
   explicit StribeckFriction(const EffectSetup& setup)
-      : joints_(setup.hinged()),
-        torque_(setup.value("torque")),
-        speed_(setup.value("speed")),
-        exponent_(setup.value("exponent")) {}
+      : joints_(setup.hinged()), torque_(setup.value("torque")), speed_(setup.value("speed")) {}
 
   void alterDrive(const DriveMoment& moment, DriveTerms& terms) override {
     for (const std::size_t j : joints_) {
-      const double part = std::abs(moment.rate[j]) / speed_;
-      const double fall = exponent_ == 2 ? part * part : std::pow(part, exponent_);
-      const double budget = torque_ * std::exp(-fall);
+      const double part = moment.rate[j] / speed_;
+      const double budget = torque_ * std::exp(-part * part);
       terms.resist_forward[j] += budget;
       terms.resist_backward[j] += budget;
     }
@@ -30,7 +25,6 @@ class StribeckFriction final : public Effect {
   std::vector<std::size_t> joints_;
   double torque_;  // [N m]
   double speed_;   // [rad/s]
-  double exponent_;
 };
 
 }  // namespace
@@ -38,9 +32,7 @@ class StribeckFriction final : public Effect {
 EffectType stribeckFriction() {
   return {"stribeck_friction",
           "Dry friction near standstill that fades as the joint moves: stick and slip.",
-          {{"torque", "N m", 0.05, 0, 0, 10, 0.005},
-           {"speed", "rad/s", 0.1, 0.1, 1e-3, 10, 0.01},
-           {"exponent", "", 2, 2, 0.3, 6, 0.1}},
+          {{"torque", "N m", 0.05, 0, 0, 10, 0.005}, {"speed", "rad/s", 0.1, 0.1, 1e-3, 10, 0.01}},
           Acts::OnDrive,
           makeEffect<StribeckFriction>};
 }

@@ -77,11 +77,10 @@ void addFriction(std::vector<Cause>& all) {
   all.push_back(one("viscous_friction", "coefficient", {0.05, 0.3, -0.05},
                     "{joint} is damped by {value} more than the model",
                     "a fall with the motor switched off"));
-  all.push_back(byGrid(shaped(shaped(one("stribeck_friction", "torque", {0.1, 0.4},
-                                         "{joint} sticks near standstill with {value}",
-                                         "slow triangles with and without load"),
-                                     "speed", {0, 0.3}),
-                              "exponent", {0})));
+  all.push_back(byGrid(shaped(
+      one("stribeck_friction", "torque", {0.1, 0.4}, "{joint} sticks near standstill with {value}",
+          "slow triangles with and without load"),
+      "speed", {0, 0.3})));
   all.push_back(shaped(one("load_friction", "share", {0.1, 0.3},
                            "{joint}'s friction grows by {value} of the torque its gear carries",
                            "the same sweep with a light and a heavy load"),
@@ -260,7 +259,6 @@ const std::vector<Cause>& benchCauses() {
       for (const char* id : {"load_friction", "backlash", "gear_compliance"}) {
         if (cause.id == id) cause.free.resize(1);  // without repeats: no shape
       }
-      if (cause.id == "stribeck_friction") cause.free.resize(2);
     }
     all.push_back(one("quadratic_load_friction", "coefficient", {0.3, 1, 2},
                       "{joint}'s friction grows by {value} with the square of its gear's torque",

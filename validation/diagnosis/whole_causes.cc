@@ -48,7 +48,6 @@ const std::vector<Cause>& knownCauses() {
       for (const char* id : {"link_mass", "load_friction", "backlash", "gear_compliance"}) {
         if (cause.id == id) cause.free.resize(1);
       }
-      if (cause.id == "stribeck_friction") cause.free.resize(2);
     }
     return all;
   }();

@@ -66,16 +66,6 @@ TEST(StribeckFriction, FadesWithSpeedAsAGaussian) {
   }
 }
 
-TEST(StribeckFriction, FadesByItsExponent) {
-  EffectChain chain =
-      chainOf(*freeRod(1, 1),
-              {effect("stribeck_friction", {{"torque", 0.4}, {"speed", 0.1}, {"exponent", 0.7}})});
-  const JointArray<double> zero(1), rates(1, -0.3);
-  DriveTerms terms;
-  chain.alterDrive({{}, 0.001, zero, rates, zero, zero, zero, zero}, terms);
-  EXPECT_NEAR(terms.resist_forward[0], 0.4 * std::exp(-std::pow(3, 0.7)), 1e-12);
-}
-
 TEST(StribeckFriction, HoldsWhatRestsAndLetsGoWhatMoves) {
   const EffectSetting friction =
       effect("stribeck_friction", {{"torque", 1.1 * kWeight}, {"speed", 0.1}});
