@@ -54,9 +54,20 @@ const sim::EffectType& typeOf(const EffectChange& change) {
   reject(change.setting, "expected one of the effects " + names);
 }
 
-// The parameter that is meant, by its name or as the only one.
+// The only parameter that an effect changes if nothing else is said; empty if there are others.
+std::string sizeOf(const sim::EffectType& type) {
+  std::string found;
+  for (const sim::Parameter& parameter : type.parameters) {
+    if (parameter.nominal == parameter.neutral) continue;
+    if (!found.empty()) return "";
+    found = parameter.name;
+  }
+  return found;
+}
+
+// The parameter that is meant, by its name or as the one that says how much of an effect there is.
 std::string parameterOf(const EffectChange& change, const sim::EffectType& type) {
-  if (change.parameter.empty() && type.parameters.size() == 1) return type.parameters[0].name;
+  if (change.parameter.empty() && !sizeOf(type).empty()) return sizeOf(type);
   std::string names;
   for (const sim::Parameter& parameter : type.parameters) {
     if (parameter.name == change.parameter) return parameter.name;

@@ -183,8 +183,10 @@ TEST(StartChange, SaysWhatThereIsWhenItIsWrong) {
   EXPECT_EQ(complaint("bert.effects.backlash=0"),
             "--set bert.effects.backlash=0: expected `robot` or one of the robots nao");
   EXPECT_THAT(complaint("robot.effects.magic=1"), testing::HasSubstr(", backlash, "));
-  EXPECT_EQ(complaint("robot.effects.backlash.depth=1"),
-            "--set robot.effects.backlash.depth=1: expected one of the parameters width");
+  EXPECT_EQ(
+      complaint("robot.effects.backlash.depth=1"),
+      "--set robot.effects.backlash.depth=1: expected one of the parameters width, compliance");
+  EXPECT_EQ(complaint("robot.effects.backlash=0.01"), "none");  // its width: the flanks stay hard
   for (const char* wrong : {"", "seed", "seed=x", "seed=-1", "robot=1", "world.mass=2"}) {
     EXPECT_THAT(complaint(wrong), testing::HasSubstr("expected ROBOT.effects.EFFECT")) << wrong;
   }
