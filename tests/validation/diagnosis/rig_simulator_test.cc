@@ -75,6 +75,27 @@ TEST(RigSimulator, OfAPerfectModelNoiseExplainsAll) {
   EXPECT_GT(noise_free, 4 * 1.1);
 }
 
+// Along one course the spring makes up for whatever torque a model has less, but for the part that
+// the servo takes as the spring gives.
+TEST(RigSimulator, LackedIsTheTorqueThatTheModelHasNot) {
+  constexpr double kBias = 0.3;  // [N m]
+  const Recorded arm("LElbowRoll");
+  const RigSimulator simulator(arm.set, *arm.model->findJoint("LElbowRoll"));
+  const EffectSetting bias = arm.effect("torque_bias", {{"torque", kBias}}, "LElbowRoll");
+  const Eigen::VectorXd course = simulator.run({bias}, 0, 0, {}).col(0);
+  const Eigen::VectorXd right = Eigen::VectorXd::Zero(course.size());
+  const LedRun with = simulator.led({bias}, 0, course, right);
+  const LedRun without = simulator.led({}, 0, course, right);
+  const Actuator& motor = arm.model->actuators[index(*arm.model->findJoint("LElbowRoll"))];
+  const double spring = motor.rotor_inertia * (1 + simulator.linkInertia()) * 250 * 250;
+  const double expected = kBias * spring / (spring + motor.kp);
+  EXPECT_NEAR((without.torque - with.torque).mean(), expected, 0.03 * kBias);
+  // Where the encoder reads too much, so does the servo: the same course turned back, led alike.
+  const Eigen::VectorXd wrong = Eigen::VectorXd::Constant(course.size(), 0.05);
+  const LedRun misread = simulator.led({bias}, 0, course - wrong, wrong);
+  EXPECT_NEAR((misread.error - with.error).norm(), 0, 0.02 * with.error.norm());
+}
+
 TEST(RigSimulator, KnowsWhatTheWorldHides) {
   const EffectSetting friction{"coulomb_friction", {{"torque", 0.25}}, {}, ""};
   const Recorded arm("LElbowRoll", {friction});
