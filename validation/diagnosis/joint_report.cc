@@ -225,8 +225,8 @@ void JointSearch::judge(JointVerdict& verdict) {
 // the remainder then.
 Signature JointSearch::remainingShape(const JointVerdict& verdict) const {
   const auto excess = [](double misfit) { return misfit * misfit - 1; };
-  const double left = excess(verdict.misfit_after) / excess(verdict.misfit_before);
-  if (nominal_ && left > 1 - kMostly) return signatureOf(joint_, data_, *nominal_, {});
+  const bool mostly = excess(verdict.misfit_after) <= (1 - kMostly) * excess(verdict.misfit_before);
+  if (nominal_ && !mostly) return signatureOf(joint_, data_, *nominal_, {});
   std::vector<EffectSetting> model = ensemble_.given();
   for (const EffectSetting& one : settingsOf(causes_, stage_->model())) model.push_back(one);
   return signatureOf(joint_, data_, *stage_, model);

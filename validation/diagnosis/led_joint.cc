@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/effects/effect.h"
+#include "validation/diagnosis/moving_mean.h"
 
 namespace nao::validation {
 namespace {
@@ -14,13 +15,7 @@ constexpr Eigen::Index kSmooth = 1;  // samples to each side, twice: derivatives
 constexpr double kPace = 250;
 
 Eigen::VectorXd smooth(const Eigen::VectorXd& x) {
-  Eigen::VectorXd mean(x.size());
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    const Eigen::Index from = std::max<Eigen::Index>(0, i - kSmooth);
-    const Eigen::Index to = std::min(x.size(), i + kSmooth + 1);
-    mean[i] = x.segment(from, to - from).mean();
-  }
-  return mean;
+  return movingMean(movingMean(x, kSmooth), kSmooth);
 }
 
 Eigen::VectorXd slope(const Eigen::VectorXd& x, double dt) {
@@ -42,7 +37,7 @@ double at(const Eigen::VectorXd& rows, double place) {
 
 Eigen::MatrixXd withRates(const Eigen::VectorXd& angle, double dt) {
   Eigen::MatrixXd all(angle.size(), 3);
-  all.col(0) = smooth(smooth(angle));
+  all.col(0) = smooth(angle);
   all.col(1) = slope(all.col(0), dt);
   all.col(2) = slope(all.col(1), dt);
   return all;
@@ -86,7 +81,7 @@ LedJoint::LedJoint(const Eigen::VectorXd& angle, const Eigen::VectorXd& misread,
   const Eigen::MatrixXd course = withRates(angle, row);
   angle_ = course.col(0);
   rate_ = course.col(1);
-  misread_ = smooth(smooth(misread));
+  misread_ = smooth(misread);
 }
 
 sim::EffectCatalogue LedJoint::in(sim::EffectCatalogue catalogue) {

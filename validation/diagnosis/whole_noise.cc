@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "validation/diagnosis/moving_mean.h"
 #include "validation/diagnosis/whole_scatter.h"
 
 namespace nao::validation {
@@ -13,16 +14,6 @@ constexpr Eigen::Index kDirections = 6;  // free choice: the rest is as good as 
 constexpr Eigen::Index kSmooth = 5;      // bins to either side: 0.1 s
 constexpr double kMostInflation = 40;
 constexpr double kMostRaised = 5;  // SDs; more is no noise
-
-Eigen::VectorXd smoothed(const Eigen::VectorXd& values) {
-  Eigen::VectorXd smooth(values.size());
-  for (Eigen::Index i = 0; i < values.size(); ++i) {
-    const Eigen::Index from = std::max<Eigen::Index>(0, i - kSmooth);
-    const Eigen::Index to = std::min(values.size(), i + kSmooth + 1);
-    smooth[i] = values.segment(from, to - from).mean();
-  }
-  return smooth;
-}
 
 // Values per independent one: 1 + 2 sum of the autocorrelation, as long as it is above 0.1.
 double inflationOf(const Eigen::MatrixXd& course) {
@@ -114,7 +105,7 @@ void WholeNoise::addRest(const std::vector<FeatureGroup>& groups, Eigen::Index a
   for (const FeatureGroup& group : groups) {
     const Eigen::MatrixXd part = rest.middleRows(group.offset, group.size);
     Eigen::VectorXd variance = part.rowwise().squaredNorm() / static_cast<double>(part.cols());
-    if (group.dt > 0) variance = smoothed(variance);
+    if (group.dt > 0) variance = movingMean(variance, kSmooth);
     variance.array() += group.floor * group.floor;
     const double inflation = group.dt > 0 ? inflationOf(part) : 1;
     sd_.segment(at + group.offset, group.size) = of_mean * (inflation * variance).cwiseSqrt();

@@ -54,8 +54,9 @@ const sim::EffectType& typeOf(const EffectChange& change) {
   reject(change.setting, "expected one of the effects " + names);
 }
 
-// The only parameter that an effect changes if nothing else is said; empty if there are others.
+// The only parameter, or the only one that an effect changes if nothing else is said; else empty.
 std::string sizeOf(const sim::EffectType& type) {
+  if (type.parameters.size() == 1) return type.parameters[0].name;
   std::string found;
   for (const sim::Parameter& parameter : type.parameters) {
     if (parameter.nominal == parameter.neutral) continue;
