@@ -24,7 +24,8 @@ std::uint64_t rotateLeft(std::uint64_t x, int bits) { return (x << bits) | (x >>
 
 }  // namespace
 
-Random::Random(std::uint64_t seed, std::string_view name) {
+Random::Random(std::uint64_t seed, std::string_view name, Pair pair)
+    : mirrored_(pair == Pair::Mirrored) {
   std::uint64_t x = hashOf(name, seed);
   for (std::uint64_t& word : state_) word = splitMix(x);
 }
@@ -43,19 +44,25 @@ std::uint64_t Random::next() {
 }
 
 // The distributions are spelled out: the standard's differ between libraries.
-double Random::uniform() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
+double Random::plainUniform() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
+
+double Random::uniform() {
+  const double plain = plainUniform();
+  return mirrored_ ? 1 - 0x1.0p-53 - plain : plain;
+}
 
 double Random::uniform(double low, double high) { return low + (high - low) * uniform(); }
 
 double Random::normal() {  // Box and Muller
   if (has_spare_) {
-    has_spare_ = 0;
+    has_spare_ = false;
     return spare_;
   }
-  const double radius = std::sqrt(-2 * std::log(1 - uniform()));
-  const double angle = 2 * M_PI * uniform();
+  const double sign = mirrored_ ? -1 : 1;
+  const double radius = sign * std::sqrt(-2 * std::log(1 - plainUniform()));
+  const double angle = 2 * M_PI * plainUniform();
   spare_ = radius * std::sin(angle);
-  has_spare_ = 1;
+  has_spare_ = true;
   return radius * std::cos(angle);
 }
 

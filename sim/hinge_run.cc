@@ -16,7 +16,7 @@ class Player {
          const EffectCatalogue& catalogue)
       : model_(model),
         step_(run.step),
-        effects_(catalogue, effects, model, run.step, run.seed, model.name),
+        effects_(catalogue, effects, model, run.step, run.seed, model.name, run.pair),
         body_(planOf()),
         heat_(model) {
     frame_.angle = JointArray<double>(model.jointCount());

@@ -31,6 +31,7 @@ struct HingeRun {
   int inertia_every = 1;
   /// [rad] of the links; none: as the first order says.
   std::optional<JointArray<double>> start = std::nullopt;
+  Random::Pair pair = Random::Pair::First;
 };
 
 /// A robot with a fixed base alone in a World, its truth written down: plays `orders`, one per

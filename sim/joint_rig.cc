@@ -128,7 +128,8 @@ JointSignals JointRig::run(const std::vector<EffectSetting>& effects, const Join
   NAO_CHECK(load.inertia.size() == values && load.torque.size() == values &&
             load.reference.size() == values && load.slope.size() == values);
   NAO_CHECK(orders.stiffness.empty() || orders.stiffness.size() == rows);
-  EffectChain chain(catalogue, cut(effects, catalogue), cut_, step_, chance.stream, cut_.name);
+  EffectChain chain(catalogue, cut(effects, catalogue), cut_, step_, chance.stream, cut_.name,
+                    chance.pair);
   JointRigRun run(cut_, step_, chain, orders, load, chance);
   return run.all(settle);
 }

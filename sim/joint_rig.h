@@ -43,7 +43,8 @@ struct JointOrders {
 
 /// What differs between two runs of the same orders.
 struct RigChance {
-  std::uint64_t stream = 0;   // of all random numbers; they do not depend on the effects
+  std::uint64_t stream = 0;  // of all random numbers; they do not depend on the effects
+  Random::Pair pair = Random::Pair::First;
   double torque_sd = 0;       // [N m] of an Ornstein-Uhlenbeck torque on the link
   double torque_time = 0.05;  // [s] its correlation time
   double start = 0;           // [s] by which the run comes late: the orders, and with them the load

@@ -30,7 +30,8 @@ const WorldModel& noWorld() {
 
 }  // namespace
 
-RigTorque::RigTorque(const RigChance& chance, double h) : random_(chance.stream, "torque") {
+RigTorque::RigTorque(const RigChance& chance, double h)
+    : random_(chance.stream, "torque", chance.pair) {
   if (chance.torque_sd <= 0) return;
   steps_ = std::max(1L, std::lround(kSampling * chance.torque_time / h));
   keep_ = std::exp(-static_cast<double>(steps_) * h / chance.torque_time);

@@ -86,15 +86,16 @@ const EffectType* EffectCatalogue::find(std::string_view name) const {
 
 EffectChain::EffectChain(const EffectCatalogue& catalogue,
                          const std::vector<EffectSetting>& settings, const RobotModel& model,
-                         Duration step, std::uint64_t seed, std::string_view robot_name) {
+                         Duration step, std::uint64_t seed, std::string_view robot_name,
+                         Random::Pair pair) {
   for (const EffectSetting& setting : settings) {
     const EffectType& type = need(catalogue.types(), setting.name, "an effect", setting);
     const std::string stream =
         std::string(robot_name) + "/" + setting.name + "/" + std::to_string(effects_.size());
     const ParameterValues values = completeValues(type, setting);
     const JointArray<bool> joints = maskOf(setting, model);
-    effects_.push_back(
-        type.make({values, joints, model, step, Random(seed, stream), !setting.joints.empty()}));
+    effects_.push_back(type.make(
+        {values, joints, model, step, Random(seed, stream, pair), !setting.joints.empty()}));
     names_.push_back(setting.name);
     Effect* const effect = effects_.back().get();
     if (includes(type.acts, Acts::OnCommand)) on_command_.push_back(effect);

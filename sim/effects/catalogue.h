@@ -26,12 +26,13 @@ const EffectCatalogue& standardEffects();
 class EffectChain {
  public:
   EffectChain() = default;
-  /// `seed` feeds each effect's own random stream, named after robot, effect and place in the list.
+  /// `seed` feeds each effect's own random stream, named after robot, effect and place in the list;
+  /// `pair` mirrors all of them.
   /// @throws InputError with file and line on an unknown effect or parameter, a value out of
   /// bounds, or a robot the effect does not fit.
   EffectChain(const EffectCatalogue& catalogue, const std::vector<EffectSetting>& settings,
               const RobotModel& model, Duration step, std::uint64_t seed,
-              std::string_view robot_name);
+              std::string_view robot_name, Random::Pair pair = Random::Pair::First);
 
   /// Back to how the run began, random numbers included.
   void restart();

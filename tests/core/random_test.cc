@@ -58,5 +58,15 @@ TEST(Random, NormalHasMeanZeroAndDeviationOne) {
   EXPECT_NEAR(squares / kCount, 1, 4 * std::sqrt(2.0 / kCount));
 }
 
+TEST(Random, TheOtherOfAPairMirrorsIt) {
+  Random first(5, "torque"), other(5, "torque", Random::Pair::Mirrored);
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_EQ(other.normal(), -first.normal());
+    const double a = first.uniform(-2, 4), b = other.uniform(-2, 4);
+    EXPECT_NEAR(a + b, 2, 1e-14);
+    EXPECT_LT(b, 4);
+  }
+}
+
 }  // namespace
 }  // namespace nao
