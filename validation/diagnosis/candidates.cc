@@ -49,10 +49,12 @@ Candidates::Candidates(Ensemble& ensemble, const JointData& data, const std::vec
                        const Effort& effort)
     : ensemble_(ensemble), data_(data), causes_(causes), effort_(effort) {}
 
-std::vector<Candidate> Candidates::rankedAt(const Stage& stage, double critical) {
-  std::vector<QuickFit> starts = startsAt(stage, critical, effort_.survivors);
-  if (!starts.empty()) addBeats(stage, starts);
-  return completed(stage, critical, fittedQuickly(stage, starts), effort_.finalists);
+std::vector<Candidate> Candidates::rankedAt(const Stage& stage, const ByChance& chance) {
+  std::vector<Candidate> ranking;
+  fitQuickly(stage, startsAt(stage, chance.critical, effort_.survivors), ranking);
+  const double all = stage.white(stage.raw()).squaredNorm() / 2;
+  if (!ranking.empty() && all - ranking.front().gain > chance.most_left) addBeats(stage, ranking);
+  return completed(stage, chance.critical, std::move(ranking), effort_.finalists);
 }
 
 std::vector<Candidate> Candidates::rankedAgain(const Stage& stage, double critical,
@@ -62,7 +64,9 @@ std::vector<Candidate> Candidates::rankedAgain(const Stage& stage, double critic
                                     [&](const QuickFit& one) { return one.cause == own.cause; });
   starts.erase(other, starts.end());
   starts.insert(starts.begin(), {own.cause, own.x, 0});
-  return completed(stage, critical, fittedQuickly(stage, starts), (effort_.finalists + 1) / 2);
+  std::vector<Candidate> ranking;
+  fitQuickly(stage, starts, ranking);
+  return completed(stage, critical, std::move(ranking), (effort_.finalists + 1) / 2);
 }
 
 std::vector<Candidate> Candidates::completed(const Stage& stage, double critical,
@@ -78,28 +82,28 @@ std::vector<QuickFit> Candidates::startsAt(const Stage& stage, double critical, 
   return startsFor(stage, causes_, white, least, most);
 }
 
-std::vector<Candidate> Candidates::fittedQuickly(const Stage& stage,
-                                                 const std::vector<QuickFit>& starts) {
-  std::vector<Candidate> ranking;
+void Candidates::fitQuickly(const Stage& stage, const std::vector<QuickFit>& starts,
+                            std::vector<Candidate>& ranking) {
   for (const QuickFit& start : starts) {
     if (ensemble_.spent()) {
       not_tried_.push_back(causes_[start.cause].id);
       continue;
     }
-    put(fitQuickly(ensemble_, stage, causes_, start, effort_), ranking);
+    put(validation::fitQuickly(ensemble_, stage, causes_, start, effort_), ranking);
   }
   sortBest(ranking);
-  return ranking;
 }
 
 // Sizes of clocks, which no look at another size tells of.
-void Candidates::addBeats(const Stage& stage, std::vector<QuickFit>& starts) {
+void Candidates::addBeats(const Stage& stage, std::vector<Candidate>& ranking) {
+  std::vector<QuickFit> starts;
   for (std::size_t c = 0; c < causes_.size(); ++c) {
     if (!causes_[c].beats || stage.isTaken(c)) continue;
     for (const double size : beatingSizes(ensemble_, stage, causes_, c)) {
       starts.push_back({c, {size}, 0});
     }
   }
+  fitQuickly(stage, starts, ranking);
 }
 
 // What does nearly the same as the best, from its number.
@@ -111,7 +115,7 @@ void Candidates::addTwins(const Stage& stage, std::vector<Candidate>& ranking) {
       if (causes_[c].id != twin || stage.isTaken(c)) continue;
       for (const double x : {best.x[0], -best.x[0]}) {
         if (ensemble_.spent()) return;
-        put(fitQuickly(ensemble_, stage, causes_, {c, {x}, 0}, effort_), ranking);
+        put(validation::fitQuickly(ensemble_, stage, causes_, {c, {x}, 0}, effort_), ranking);
       }
     }
   }
@@ -167,8 +171,8 @@ double Candidates::leftBy(const Stage& stage, ModelFit& fit) {
   const auto left = [&](int runs) -> Eigen::VectorXd {
     return data_.mean() - ensemble_.pool(settingsOf(causes_, fit.model), runs).mean;
   };
-  moveNumbers(fit, left(effort_.base_runs / 3), stage, causes_);
-  const Eigen::VectorXd white = stage.whitenFit(left(effort_.base_runs / 2));
+  moveNumbers(fit, left(effort_.brief_runs), stage, causes_);
+  const Eigen::VectorXd white = stage.whitenFit(left(effort_.brief_runs));
   Eigen::MatrixXd own(white.size(), fit.jacobian.cols());
   for (Eigen::Index i = 0; i < own.cols(); ++i) own.col(i) = stage.whitenFit(fit.jacobian.col(i));
   return without(orthonormal(own), white).squaredNorm() / 2;

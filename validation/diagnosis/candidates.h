@@ -20,8 +20,9 @@ struct Candidate {
 
 /// What chance alone does in a joint's search [nats].
 struct ByChance {
-  double critical = 0;  // a gain that it hardly ever reaches
-  double left = 0;      // half the squares that it leaves
+  double critical = 0;   // a gain that it hardly ever reaches
+  double left = 0;       // half the squares that it leaves
+  double most_left = 0;  // that it leaves in all but one of ten sets
 };
 
 /// Which causes fit best beside the model of a stage: looks at all, quick fits of those that
@@ -32,8 +33,9 @@ class Candidates {
   Candidates(Ensemble& ensemble, const JointData& data, const std::vector<Cause>& causes,
              const Effort& effort);
 
-  /// Best first, of each cause its best numbers.
-  std::vector<Candidate> rankedAt(const Stage& stage, double critical);
+  /// Best first, of each cause its best numbers. Sizes of clocks, costly to find, compete unless
+  /// something leaves no more than chance.
+  std::vector<Candidate> rankedAt(const Stage& stage, const ByChance& chance);
   /// The same for the place of a cause that is in the model already: from its own numbers, of the
   /// others half as many, two in full (beside several causes one costs minutes). Sizes of clocks
   /// competed when the place was first taken.
@@ -48,10 +50,11 @@ class Candidates {
 
  private:
   std::vector<QuickFit> startsAt(const Stage& stage, double critical, int most) const;
-  std::vector<Candidate> fittedQuickly(const Stage& stage, const std::vector<QuickFit>& starts);
+  void fitQuickly(const Stage& stage, const std::vector<QuickFit>& starts,
+                  std::vector<Candidate>& ranking);
   std::vector<Candidate> completed(const Stage& stage, double critical,
                                    std::vector<Candidate> ranking, int finalists);
-  void addBeats(const Stage& stage, std::vector<QuickFit>& starts);
+  void addBeats(const Stage& stage, std::vector<Candidate>& ranking);
   void addTwins(const Stage& stage, std::vector<Candidate>& ranking);
   void fitFinalists(const Stage& stage, double critical, int most, std::vector<Candidate>& ranking);
   double leftBy(const Stage& stage, ModelFit& fit);

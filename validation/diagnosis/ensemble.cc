@@ -45,7 +45,49 @@ Eigen::VectorXd sumOfAny(const Eigen::MatrixXd& runs, Eigen::Index repeats, Rand
   return sum;
 }
 
+// Of each pair of the runs, this with them.
+template <typename Join>
+Eigen::MatrixXd joined(const Eigen::MatrixXd& runs, const Join& join) {
+  Eigen::MatrixXd all(runs.rows(), runs.cols() / 2);
+  for (Eigen::Index i = 0; i < all.cols(); ++i) {
+    const Eigen::Index first = i / 2 * 4 + i % 2;
+    all.col(i) = join(runs.col(first), runs.col(first + 2));
+  }
+  return all;
+}
+
+double squaresBeside(const Eigen::MatrixXd& columns) {
+  return (columns.colwise() - columns.rowwise().mean().eval()).squaredNorm() /
+         static_cast<double>(columns.cols() - 1);
+}
+
+constexpr double kBestPairing = 0.02;  // measured: 0.05
+
+double pairingOf(const std::vector<Eigen::MatrixXd>& runs) {
+  if (runs.front().cols() % 4 != 0 || runs.front().cols() < 8) return 1;
+  double pairs = 0, singles = 0;
+  for (const Eigen::MatrixXd& span : runs) {
+    pairs += 2 * squaresBeside(joined(span, [](const auto& a, const auto& b) -> Eigen::VectorXd {
+               return (a + b) / 2;
+             }));
+    singles += squaresBeside(span);
+  }
+  return singles > 0 ? std::clamp(pairs / singles, kBestPairing, 1.0) : 1;
+}
+
 }  // namespace
+
+Eigen::MatrixXd RunPool::deviations(std::size_t span) const {
+  const Eigen::MatrixXd& all = runs[span];
+  if (mirrored && all.cols() % 4 == 0) {
+    const double scale = 1 / std::sqrt(2 * (2 - pairing));
+    return joined(all, [scale](const auto& a, const auto& b) -> Eigen::VectorXd {
+      return scale * (a - b);
+    });
+  }
+  const auto n = static_cast<double>(all.cols());
+  return (all.colwise() - all.rowwise().mean().eval()) * std::sqrt(n / std::max(1.0, n - 1));
+}
 
 Eigen::VectorXd RunPool::measuredAgain(const JointData& data, std::uint64_t seed) const {
   Random random(seed, "measured again");
@@ -60,8 +102,9 @@ Eigen::VectorXd RunPool::measuredAgain(const JointData& data, std::uint64_t seed
     const Eigen::VectorXd sum =
         once ? sumOfDifferent(runs[i], repeats, random) : sumOfAny(runs[i], repeats, random);
     // Drawn from what the mean was made of, the mean's variance is that of one run times this.
-    const double drawn = once ? 1 / r - 1 / n : (1 - 1 / n) / r;
-    const double widen = std::sqrt((1 / r + 1 / n) / drawn);
+    const double about_mean = (n - pairing) / (n - 1);
+    const double drawn = about_mean * (once ? 1 / r - 1 / n : (1 - 1 / n) / r);
+    const double widen = std::sqrt((1 / r + pairing / n) / drawn);
     all.segment(span.offset, span.size()) =
         widen * (sum / r - mean.segment(span.offset, span.size()));
   }
@@ -155,41 +198,43 @@ long Ensemble::costOf(const JointSimulator& joint) const {
   return &joint == &joint_.exact() && &joint != &joint_ ? kExactCost : 1;
 }
 
-// On tape: the runs of every span one after the other.
 RunPool Ensemble::pool(const std::vector<EffectSetting>& causes, int runs) {
+  RunPool pool = poolOf(causes, {joint_.exact(), StreamUse::Pool, runs});
+  pool.mirrored = true;
+  pool.pairing = pairingOf(pool.runs);
+  return pool;
+}
+
+RunPool Ensemble::spread(const std::vector<EffectSetting>& causes, int runs) {
+  return poolOf(causes, {joint_.coarse(), StreamUse::Spread, runs});
+}
+
+RunPool Ensemble::poolOf(const std::vector<EffectSetting>& causes, const PoolOf& of) {
   RunPool pool;
-  const Eigen::VectorXd all = recalled([&] {
-    Eigen::VectorXd values(data_.size() * runs);
-    const RunPool simulated = simulatedPool(causes, runs);
-    for (std::size_t i = 0; i < simulated.runs.size(); ++i) {
-      const MotionSpan& span = data_.spans()[i];
-      values.segment(span.offset * runs, span.size() * runs) = simulated.runs[i].reshaped();
-    }
-    return values;
-  });
+  const Eigen::VectorXd all = recalled([&] { return simulatedPool(causes, of); });
   pool.mean.resize(data_.size());
   for (const MotionSpan& span : data_.spans()) {
     pool.runs.push_back(
-        all.segment(span.offset * runs, span.size() * runs).reshaped(span.size(), runs));
+        all.segment(span.offset * of.runs, span.size() * of.runs).reshaped(span.size(), of.runs));
     pool.mean.segment(span.offset, span.size()) = pool.runs.back().rowwise().mean();
   }
   return pool;
 }
 
-RunPool Ensemble::simulatedPool(const std::vector<EffectSetting>& causes, int runs) {
+// The runs of every span one after the other.
+Eigen::VectorXd Ensemble::simulatedPool(const std::vector<EffectSetting>& causes,
+                                        const PoolOf& of) {
   const std::vector<EffectSetting> all = withGiven(causes);
-  const JointSimulator& joint = joint_.exact();
-  RunPool pool;
+  Eigen::VectorXd values(data_.size() * of.runs);
   for (const MotionSpan& span : data_.spans()) {
     const std::size_t m = span.motion;
-    Eigen::MatrixXd columns(span.size(), runs);
-    for (int r = 0; r < runs; ++r) {
-      columns.col(r) = joint.run(all, m, streamOf(StreamUse::Pool, m, r), noise_).reshaped();
+    for (int r = 0; r < of.runs; ++r) {
+      values.segment(span.offset * of.runs + span.size() * r, span.size()) =
+          of.joint.run(all, m, streamOf(of.use, m, r), noise_).reshaped();
     }
-    pool.runs.push_back(std::move(columns));
-    used_ += runs * costOf(joint);
+    used_ += of.runs * costOf(of.joint);
   }
-  return pool;
+  return values;
 }
 
 }  // namespace nao::validation

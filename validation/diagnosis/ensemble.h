@@ -23,7 +23,16 @@ enum class StreamUse : std::uint64_t { Mean = 1, Pool = 2, Spread = 4, Noise = 5
 struct RunPool {
   std::vector<Eigen::MatrixXd> runs;  // by span; a column per run, signal by signal, row by row
   Eigen::VectorXd mean;               // stacked as JointData
+  bool mirrored = false;              // in pairs (run_noise.h)
+  /// The mean's variance over that of as many runs that know nothing of each other: mirrored ones
+  /// leave a twentieth of it, a quarter where encoders round.
+  double pairing = 1;
 
+  /// As many runs of their own would make as certain a mean.
+  double worth() const { return static_cast<double>(runs.front().cols()) / pairing; }
+  /// Independent deviations of single runs of a span, of their full variance, a column each:
+  /// differences of the pairs, or, where there are none, from the mean.
+  Eigen::MatrixXd deviations(std::size_t span) const;
   /// What a set measured again would differ from `mean`, were the mean's runs others: the mean of
   /// as many runs of each span as it has repeats, drawn by `seed` (different ones, as long as they
   /// are not nearly all), widened by what the mean itself is uncertain. Two runs or more.
@@ -34,10 +43,13 @@ struct RunPool {
 /// causes as well.
 enum class Over { Fit, All };
 
-/// The stream of one repeat of one motion: the same for every list of causes.
+/// The stream of one repeat of one motion: the same for every list of causes. Runs that a mean is
+/// made of mirror each other in pairs (run_noise.h), those that show how runs differ do not.
 constexpr std::uint64_t streamOf(StreamUse use, std::size_t motion, int repeat) {
+  const bool paired = use == StreamUse::Mean || use == StreamUse::Pool;
+  const auto run = static_cast<std::uint64_t>(repeat);
   return (static_cast<std::uint64_t>(use) << 56) | (static_cast<std::uint64_t>(motion) << 40) |
-         static_cast<std::uint64_t>(repeat);
+         (paired ? run : (run / 2) * 4 + run % 2);
 }
 
 /// Predicts the mean of a joint's noisy runs, stacked as its JointData, and counts the runs. What
@@ -62,6 +74,8 @@ class Ensemble {
   Eigen::VectorXd roughOf(const std::vector<EffectSetting>& causes, const MotionSpan& span);
   /// `runs` exact runs per motion, as an encoder reports them.
   RunPool pool(const std::vector<EffectSetting>& causes, int runs);
+  /// The same of runs in coarse steps that know nothing of each other: how runs differ.
+  RunPool spread(const std::vector<EffectSetting>& causes, int runs);
 
   /// Fits the noise anew, with these causes in the model: what shakes a joint or holds it is no
   /// noise of its own.
@@ -93,7 +107,13 @@ class Ensemble {
   };
 
   Eigen::VectorXd recalled(const std::function<Eigen::VectorXd()>& simulate);
-  RunPool simulatedPool(const std::vector<EffectSetting>& causes, int runs);
+  struct PoolOf {
+    const JointSimulator& joint;
+    StreamUse use;
+    int runs;
+  };
+  RunPool poolOf(const std::vector<EffectSetting>& causes, const PoolOf& of);
+  Eigen::VectorXd simulatedPool(const std::vector<EffectSetting>& causes, const PoolOf& of);
   Halves halvesOf(const JointSimulator& joint, const std::vector<EffectSetting>& causes, int runs,
                   Over motions);
   Eigen::VectorXd meanOf(const JointSimulator& joint, const Prediction& of, Over motions, int first,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace nao::validation {
@@ -99,7 +100,7 @@ SharedStep JointSearch::stepFrom(std::size_t cause, double x) {
     return ensemble_.exactHalves({sharedSetting(cause, at)}, effort_.slope_runs, Over::Fit);
   };
   const Halves slope = stage_->white((halves(x + width) - halves(x - width)) * (1 / (2 * width)));
-  const RunPool here = ensemble_.pool({sharedSetting(cause, x)}, effort_.base_runs / 3);
+  const RunPool here = ensemble_.pool({sharedSetting(cause, x)}, effort_.brief_runs);
   const auto along = [&](const Eigen::VectorXd& raw) {
     return slope.mean().dot(stage_->white(raw));
   };
@@ -137,7 +138,7 @@ void JointSearch::enter(std::unique_ptr<Stage> stage) {
 void JointSearch::enterModel(const ModelFit& fit) {
   fit_ = fit;
   if (fit_.model.empty()) return enter(stageOf({}, fit_.jacobian));
-  const RunPool pool = ensemble_.pool(settingsOf(causes_, fit_.model), effort_.base_runs / 3);
+  const RunPool pool = ensemble_.pool(settingsOf(causes_, fit_.model), effort_.brief_runs);
   moveNumbers(fit_, data_.mean() - pool.mean, *stage_, causes_);
   enter(stageOf(fit_.model, fit_.jacobian));
   moveNumbers(fit_, stage_->raw(), *stage_, causes_);
@@ -170,9 +171,10 @@ double JointSearch::misfit(const Stage& stage, const Eigen::VectorXd& raw) const
 }
 
 ByChance JointSearch::byChance() const {
-  double sum = 0;
-  for (const Eigen::VectorXd& null : stage_->nulls()) sum += half(stage_->white(null));
-  return {critical(), sum / static_cast<double>(std::max<std::size_t>(1, stage_->nulls().size()))};
+  std::vector<double> left;
+  for (const Eigen::VectorXd& null : stage_->nulls()) left.push_back(half(stage_->white(null)));
+  const double sum = std::accumulate(left.begin(), left.end(), 0.0);
+  return {critical(), sum / std::max(1.0, static_cast<double>(left.size())), quantile(left, 0.9)};
 }
 
 double JointSearch::shareOf(const Stage& stage, double gain) const {
@@ -314,7 +316,7 @@ void JointSearch::restore(Snapshot before) {
 
 bool JointSearch::step() {
   if (static_cast<int>(accepted_.size()) >= effort_.most_causes) return false;
-  return accept(candidates_.rankedAt(*stage_, critical()));
+  return accept(candidates_.rankedAt(*stage_, byChance()));
 }
 
 JointVerdict JointSearch::conclude(const OtherJoints& others) {

@@ -71,7 +71,8 @@ class JointSimulator {
   }
 
   /// The same joint in longer steps, cheaper: for what causes change, where the error of a step
-  /// falls out. Streams of even and of odd numbers share no chance.
+  /// falls out. Streams of even and of odd numbers share no chance; of four in a row the last two
+  /// mirror the first two (run_noise.h).
   virtual const JointSimulator& coarse() const { return *this; }
 
   /// As coarse(), but neighbours do to the joint what they would without causes, as long as these

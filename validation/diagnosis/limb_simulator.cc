@@ -83,18 +83,22 @@ Eigen::MatrixXd LimbSimulator::run(const std::vector<EffectSetting>& causes, std
   // First in the list: their random numbers do not depend on the causes.
   std::vector<EffectSetting> effects = limb_->disturbances(noise);
   effects.insert(effects.end(), own.begin(), own.end());
-  const std::uint64_t seed = seedOf(stream, motion);
+  const RunDraw draw = drawOf(stream, motion);
   const double settle = set.options().settle;
+  sim::HingeRun how{settle,
+                    set.worldStep(),
+                    1,
+                    draw.seed,
+                    drawLateness(noise, draw, 0.9 * settle),
+                    inertiaEvery(set.worldStep())};
+  how.pair = draw.pair;
   const sim::HingeMotion played = sim::runHinges(
-      models_[motion], effects, altered ? *altered : orders_[motion],
-      {settle, set.worldStep(), 1, seed, drawLateness(noise, stream, motion, 0.9 * settle),
-       inertiaEvery(set.worldStep())},
-      set.catalogue());
+      models_[motion], effects, altered ? *altered : orders_[motion], how, set.catalogue());
   const auto column = static_cast<Eigen::Index>(index(limb_->joint()));
   Eigen::MatrixXd signals(played.reported.rows(), measured_[motion].repeats.front().cols());
   signals.col(0) = played.reported.col(column);
   if (signals.cols() > 1) signals.col(1) = played.current.col(column);
-  addEncoderNoise(noise, seed, signals);
+  addEncoderNoise(noise, draw, signals);
   return signals;
 }
 

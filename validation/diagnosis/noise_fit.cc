@@ -1,6 +1,7 @@
 #include "validation/diagnosis/noise_fit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/check.h"
@@ -155,6 +156,32 @@ class NoiseSearch {
   NoiseSearch(const JointSimulator& joint, const std::vector<EffectSetting>& causes)
       : joint_(joint), causes_(causes), measured_(momentsBySecond(joint.measured())) {}
 
+  // From the time that is likeliest beforehand up or down as long as it gets better; the torque
+  // goes on from one time to the next.
+  Trial from(const JointNoise& first) const {
+    const auto begin = std::min_element(kTimes.begin(), kTimes.end(), [&](double a, double b) {
+      return std::abs(std::log(a / first.torque_time)) < std::abs(std::log(b / first.torque_time));
+    });
+    Trial best = at(first, *begin);
+    auto up = begin + 1;
+    while (up != kTimes.end() && improve(best, *up)) ++up;
+    if (up != begin + 1) return best;
+    auto down = begin;
+    while (down != kTimes.begin() && improve(best, *(down - 1))) --down;
+    return best;
+  }
+
+ private:
+  static constexpr std::array kTimes = {0.02, 0.03, 0.045, 0.07, 0.1, 0.15, 0.25};  // [s]
+  static constexpr int kRounds = 2;  // spread grows nearly in proportion to the torque
+
+  bool improve(Trial& best, double time) const {
+    const Trial trial = at(best.noise, time);
+    if (trial.error >= best.error) return false;
+    best = trial;
+    return true;
+  }
+
   Trial at(JointNoise noise, double time) const {
     noise.torque_time = time;
     noise.jitter = 0;
@@ -168,9 +195,6 @@ class NoiseSearch {
     noise.jitter = std::sqrt(2 * white);  // variance: half of its square
     return {noise, distance(measured_, found)};
   }
-
- private:
-  static constexpr int kRounds = 2;  // spread grows nearly in proportion to the torque
 
   MatrixXd simulated(const JointNoise& noise) const {
     return momentsBySecond(simulatedRepeats(joint_, causes_, noise, kSimulated));
@@ -246,21 +270,12 @@ JointNoise fitNoise(const JointSimulator& joint, const JointNoise& first,
   if (start.torque_sd <= 0) start.torque_sd = 0.02;  // [N m] anything that moves the joint
   start.start_sd =
       measured.start_sd;  // what a shift leaves of a late start looks like a slow torque
-  const NoiseSearch search(joint, causes);
-  Trial best;
-  bool begun = false;
-  for (const double time : {0.02, 0.03, 0.045, 0.07, 0.1, 0.15, 0.25}) {
-    const Trial trial = search.at(start, time);
-    start.torque_sd = trial.noise.torque_sd;
-    if (begun && trial.error >= best.error) continue;
-    best = trial;
-    begun = true;
-  }
+  const Trial best = NoiseSearch(joint.coarse(), causes).from(start);
   // Noise alone makes runs look late too: only what is more than that are starts.
   JointNoise noise = best.noise;
   noise.start_sd = 0;
   const double apparent =
-      momentsOf(simulatedRepeats(joint, causes, noise, 2 * kSimulated)).start_sd;
+      momentsOf(simulatedRepeats(joint.coarse(), causes, noise, 2 * kSimulated)).start_sd;
   noise.start_sd =
       std::sqrt(std::max(0.0, measured.start_sd * measured.start_sd - apparent * apparent));
   return noise;

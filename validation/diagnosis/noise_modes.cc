@@ -20,11 +20,10 @@ constexpr double kStands = 3;  // times the usual variance: independent samples 
 // Of one motion: deviations of its runs, in SDs of the measured mean.
 MatrixXd deviationsOf(const RunPool& pool, const MotionSpan& span, std::size_t i,
                       const VectorXd& sd) {
-  const MatrixXd& runs = pool.runs[i];
-  const double degrees = std::max<double>(1, static_cast<double>(runs.cols() - 1));
-  const double scale = 1 / std::sqrt(degrees * span.repeats);
+  const MatrixXd deviations = pool.deviations(i);
+  const double scale = 1 / std::sqrt(static_cast<double>(deviations.cols() * span.repeats));
   const VectorXd inverse = sd.segment(span.offset, span.size()).cwiseInverse() * scale;
-  return inverse.asDiagonal() * (runs.colwise() - pool.mean.segment(span.offset, span.size()));
+  return inverse.asDiagonal() * deviations;
 }
 
 double median(VectorXd values) {
@@ -34,7 +33,8 @@ double median(VectorXd values) {
 
 }  // namespace
 
-NoiseModes findNoiseModes(const RunPool& pool, const JointData& data, const VectorXd& sd) {
+NoiseModes findNoiseModes(const RunPool& pool, double worth, const JointData& data,
+                          const VectorXd& sd) {
   NoiseModes found{sd, {}};
   std::vector<VectorXd> columns;
   for (std::size_t i = 0; i < data.spans().size(); ++i) {
@@ -44,8 +44,7 @@ NoiseModes findNoiseModes(const RunPool& pool, const JointData& data, const Vect
     const VectorXd variance = svd.singularValues().cwiseAbs2();
     const double usual = median(variance);
     VectorXd beside = deviations.rowwise().squaredNorm();
-    const double two_means =
-        1 + static_cast<double>(span.repeats) / static_cast<double>(pool.runs[i].cols());
+    const double two_means = 1 + static_cast<double>(span.repeats) / worth;
     for (Index k = 0; k < std::min(kMost, variance.size()); ++k) {
       if (variance[k] < kStands * usual) break;
       const VectorXd mode = svd.matrixU().col(k);

@@ -14,8 +14,9 @@ struct NoiseModes {
   Eigen::MatrixXd directions;  // one SD of the difference of two means, a column per mode
 };
 
-/// Reads them off the runs of a pool. `sd` is what repeats say of each sample: it is kept where the
-/// pool does not say more.
-NoiseModes findNoiseModes(const RunPool& pool, const JointData& data, const Eigen::VectorXd& sd);
+/// Reads them off the runs of a pool, for a prediction as certain as a mean of `worth` runs. `sd`
+/// is what repeats say of each sample: it is kept where the pool does not say more.
+NoiseModes findNoiseModes(const RunPool& pool, double worth, const JointData& data,
+                          const Eigen::VectorXd& sd);
 
 }  // namespace nao::validation

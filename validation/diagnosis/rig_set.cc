@@ -40,9 +40,13 @@ void RigSet::choosePace(double dt) {
   world_step_ = tick * std::lround(rig);
   rig_step_ = tick * std::lround(world);
   const long ticks = std::lround(world * rig);
-  long coarse = std::lround(parts(value, options_.coarse_step));
-  while (ticks % coarse != 0) ++coarse;
-  coarse_step_ = tick * (ticks / coarse);
+  const auto dividing = [&](double most) {
+    long steps = std::lround(parts(value, most));
+    while (ticks % steps != 0) ++steps;
+    return tick * (ticks / steps);
+  };
+  coarse_step_ = dividing(options_.coarse_step);
+  rough_step_ = dividing(options_.rough_step);
   model_->cycle = per_row_ * std::lround(world) * world_step_;
 }
 

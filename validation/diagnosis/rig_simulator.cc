@@ -72,7 +72,7 @@ RigSimulator::RigSimulator(std::shared_ptr<const RigSet> set, Joint joint)
   exact_ = std::make_unique<LimbSimulator>(limb_, measured_);
   const Duration coarse = std::max(step_, set_->coarseStep());
   if (coarse > step_) coarse_.reset(new RigSimulator(*this, coarse, Loads::Drawn));
-  rough_.reset(new RigSimulator(*this, coarse, Loads::OfMassOnly));
+  rough_.reset(new RigSimulator(*this, std::max(coarse, set_->roughStep()), Loads::OfMassOnly));
 }
 
 RigSimulator::RigSimulator(const RigSimulator& fine, Duration step, Loads of)
@@ -145,18 +145,20 @@ Eigen::MatrixXd RigSimulator::run(const std::vector<EffectSetting>& causes, std:
   const std::vector<EffectSetting> effects = set_->effectsWith(causes, set_->motions()[motion]);
   const auto load = loadOf(causes, motion, stream, noise);
   sim::RigChance chance;
-  chance.stream = seedOf(stream, motion);
+  const RunDraw draw = drawOf(stream, motion);
+  chance.stream = draw.seed;
+  chance.pair = draw.pair;
   chance.torque_sd = noise.torque_sd;
   if (noise.torque_time > 0) chance.torque_time = noise.torque_time;
   chance.lead = (toSeconds(step_) - toSeconds(world_step_)) / 2;
-  chance.start = drawLateness(noise, stream, motion, 0.9 * set_->options().settle);
+  chance.start = drawLateness(noise, draw, 0.9 * set_->options().settle);
   const sim::JointSignals signals =
       rigs_[motion].run(effects, orders_[motion], *load, chance,
                         fromSeconds(set_->options().settle), set_->catalogue());
   const auto rows = static_cast<Eigen::Index>(signals.angle.size());
   Eigen::MatrixXd result(rows, measured_[motion].repeats.front().cols());
   result.col(0) = Eigen::Map<const Eigen::VectorXd>(signals.angle.data(), rows);
-  addEncoderNoise(noise, chance.stream, result);
+  addEncoderNoise(noise, draw, result);
   if (result.cols() > 1) {
     result.col(1) = Eigen::Map<const Eigen::VectorXd>(signals.current.data(), rows);
   }

@@ -15,6 +15,7 @@ namespace nao::validation {
 struct RigOptions {
   double step = 2.5e-4;       // [s] at most, of a rig: a run of 6 s then costs 1.5 ms of processor
   double coarse_step = 5e-4;  // [s] at most, of JointSimulator::coarse()
+  double rough_step = 1e-3;   // [s] at most, of JointSimulator::rough()
   /// [s] of the Worlds whose motions the rigs are compared with. Their implicit steps answer an
   /// order half a step late; a rig's orders come earlier by half of what its own step is longer.
   double world_step = 2.5e-4;
@@ -49,6 +50,7 @@ class RigSet {
   Duration worldStep() const { return world_step_; }
   Duration rigStep() const { return rig_step_; }
   Duration coarseStep() const { return coarse_step_; }
+  Duration roughStep() const { return rough_step_; }
 
  private:
   void choosePace(double dt);
@@ -58,7 +60,7 @@ class RigSet {
   std::shared_ptr<RobotModel> model_;  // its cycle is a row
   RigOptions options_;
   int per_row_ = 1;
-  Duration world_step_{}, rig_step_{}, coarse_step_{};
+  Duration world_step_{}, rig_step_{}, coarse_step_{}, rough_step_{};
   std::vector<GriddedMotion> motions_;
   std::vector<MeasuredMotion> measured_;
   std::vector<Joint> joints_;

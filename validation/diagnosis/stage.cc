@@ -35,15 +35,16 @@ Stage::Stage(Ensemble& ensemble, const JointData& data, const std::vector<Cause>
   look_base_ = ensemble.roughHalves(settings, effort.look_runs, Over::Fit);
   raw_ = data.mean() - pool_.mean;
   look(ensemble, effort);
-  const NoiseModes modes = findNoiseModes(pool_, data, data.sd());
+  const RunPool spread = ensemble.spread(settings, effort.spread_runs);
+  const NoiseModes modes = findNoiseModes(spread, pool_.worth(), data, data.sd());
   Eigen::MatrixXd disturbances = directions(effort, ensemble.noise().start_sd);
   disturbances.conservativeResize(Eigen::NoChange, disturbances.cols() + modes.directions.cols());
   disturbances.rightCols(modes.directions.cols()) = modes.directions;
-  // The prediction is a mean too: of base_runs where the measurement has its repeats.
+  // The prediction is a mean too.
   Eigen::VectorXd sd = modes.sd;
   for (const MotionSpan& span : data.spans()) {
     sd.segment(span.offset, span.size()) *=
-        std::sqrt(1 + static_cast<double>(span.repeats) / effort.base_runs);
+        std::sqrt(1 + static_cast<double>(span.repeats) / pool_.worth());
   }
   const Eigen::Index n = data.fitSize();
   fit_ = Whitening(sd.head(n), disturbances.topRows(n));
@@ -239,10 +240,9 @@ Eigen::VectorXd Stage::scatter() const {
   Eigen::VectorXd all(data_.size());
   for (std::size_t i = 0; i < data_.spans().size(); ++i) {
     const MotionSpan& span = data_.spans()[i];
-    const Eigen::MatrixXd& runs = pool_.runs[i];
-    const auto degrees = static_cast<double>(std::max<Eigen::Index>(1, runs.cols() - 1));
-    const Eigen::MatrixXd beside = runs.colwise() - pool_.mean.segment(span.offset, span.size());
-    all.segment(span.offset, span.size()) = (beside.rowwise().squaredNorm() / degrees).cwiseSqrt();
+    const Eigen::MatrixXd beside = pool_.deviations(i);
+    all.segment(span.offset, span.size()) =
+        (beside.rowwise().squaredNorm() / static_cast<double>(beside.cols())).cwiseSqrt();
   }
   return all;
 }

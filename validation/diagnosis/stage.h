@@ -12,19 +12,22 @@
 
 namespace nao::validation {
 
-/// How much a diagnosis simulates. What causes change is seen before encoders round it: four such
-/// runs hold as much chance as eight rounded ones (0.97 of it, median of 204 looks).
+/// How much a diagnosis simulates, in multiples of four: runs mirror each other in pairs, so that
+/// a mean of 16 is as certain as one of 60 that know nothing of each other, and before encoders
+/// round it of 300. What causes change is seen before.
 struct Effort {
   int look_runs = 4;           // per motion, of a candidate's looks and first fit
-  int final_runs = 16;         // of the fits of finalists
-  int base_runs = 32;          // exact ones, of the model that the measurement is compared with
+  int final_runs = 8;          // of the fits of finalists
+  int base_runs = 16;          // exact ones, of the model that the measurement is compared with
+  int brief_runs = 8;          // the same, where a number is only moved to
   int null_sets = 200;         // drawn from those
+  int spread_runs = 48;        // that show how noise goes together
   int survivors = 8;           // candidates that are fitted at all
   int finalists = 4;           // that are fitted with final_runs
   int most_causes = 4;         // named for one joint
   double false_alarms = 0.01;  // that thresholds let pass, of null sets of the whole set
-  int slope_runs = 8;          // exact ones, to either side of a number that was found
-  int difference_runs = 32;    // of what equal robots differ by: its chance stays in the numbers
+  int slope_runs = 4;          // exact ones, to either side of a number that was found
+  int difference_runs = 8;     // of what equal robots differ by: its chance stays in the numbers
 };
 
 /// What switching a cause on does to the prediction, once, at its start values.

@@ -38,6 +38,44 @@ TEST(RunPool, ASetMeasuredAgainVariesAsMuchAsOneThatIs) {
   }
 }
 
+// What of their chance mirrors itself falls out of their mean: here nine tenths of the variance.
+RunPool mirroredPoolOf(const JointData& data) {
+  RunPool pool = poolOf(data);
+  pool.mirrored = true;
+  pool.pairing = 0.1;
+  Random random(8, "pairs");
+  for (std::size_t i = 0; i < pool.runs.size(); ++i) {
+    Eigen::MatrixXd& runs = pool.runs[i];
+    for (Eigen::Index r = 0; r < runs.cols(); r += r % 4 == 1 ? 3 : 1) {
+      for (Eigen::Index k = 0; k < runs.rows(); ++k) {
+        const double odd = std::sqrt(0.9) * random.normal();
+        runs(k, r) = std::sqrt(0.1) * runs(k, r) + odd;
+        runs(k, r + 2) = std::sqrt(0.1) * runs(k, r + 2) - odd;
+      }
+    }
+    const MotionSpan& span = data.spans()[i];
+    pool.mean.segment(span.offset, span.size()) = runs.rowwise().mean();
+  }
+  return pool;
+}
+
+TEST(RunPool, RunsThatMirrorEachOtherKnowTheirMeanBetter) {
+  for (const int repeats : {6, 38}) {
+    const test::ToyJoint toy({}, 1, test::kToyNoise, repeats, 2);
+    const JointData data(toy, test::kToyNoise);
+    const RunPool pool = mirroredPoolOf(data);
+    double square = 0;
+    for (std::uint64_t set = 1; set <= 50; ++set) {
+      square += pool.measuredAgain(data, set).squaredNorm() / static_cast<double>(data.size()) / 50;
+    }
+    const double expected = 1.0 / repeats + 0.1 / 48;
+    EXPECT_NEAR(square, expected, 0.05 * expected) << repeats;
+    EXPECT_NEAR(pool.worth(), 480, 1e-9);
+    const Eigen::MatrixXd deviations = pool.deviations(0);
+    EXPECT_NEAR(deviations.squaredNorm() / static_cast<double>(deviations.size()), 1, 0.05);
+  }
+}
+
 // A link heavier by 0.2 % moves the joint by a sixteenth of a count RMS: 8 rounded runs show mostly
 // which readings happened to flip.
 class SmallDifference : public ::testing::Test {

@@ -48,7 +48,7 @@ TEST(NoiseModes, AHoldThatVariesAsOneIsOne) {
   const test::ToyJoint toy({}, 1);
   const JointData data(toy, test::kToyNoise);
   const RunPool pool = poolOf(data, 2);
-  const NoiseModes modes = findNoiseModes(pool, data, data.sd());
+  const NoiseModes modes = findNoiseModes(pool, kRuns, data, data.sd());
   ASSERT_EQ(modes.directions.cols(), 1);
   const Eigen::VectorXd mode = modes.directions.col(0).cwiseAbs();
   EXPECT_GT(mode.head(kHold).squaredNorm(), 0.95 * mode.squaredNorm());
@@ -62,7 +62,7 @@ TEST(NoiseModes, AHoldThatVariesAsOneIsOne) {
 TEST(NoiseModes, IndependentSamplesHaveNone) {
   const test::ToyJoint toy({}, 1);
   const JointData data(toy, test::kToyNoise);
-  const NoiseModes modes = findNoiseModes(poolOf(data, 0), data, data.sd());
+  const NoiseModes modes = findNoiseModes(poolOf(data, 0), kRuns, data, data.sd());
   EXPECT_EQ(modes.directions.cols(), 0);
   EXPECT_LT(modes.sd.sum(), 1.1 * data.sd().sum());
 }

@@ -11,6 +11,7 @@
 #include "validation/diagnosis/causes.h"
 #include "validation/diagnosis/joint_simulator.h"
 #include "validation/diagnosis/led_joint.h"
+#include "validation/diagnosis/run_noise.h"
 
 namespace nao::validation::test {
 
@@ -87,8 +88,8 @@ inline double toyCommand(std::size_t motion, double t) {
 /// One run of one motion: the angle on a grid of 10 ms.
 class ToyRun {
  public:
-  ToyRun(const ToyLaws& laws, std::size_t motion, std::uint64_t stream, const JointNoise& noise)
-      : laws_(laws), motion_(motion), random_(stream, "toy"), noise_(noise) {
+  ToyRun(const ToyLaws& laws, std::size_t motion, const RunDraw& draw, const JointNoise& noise)
+      : laws_(laws), motion_(motion), random_(draw.seed, "toy", draw.pair), noise_(noise) {
     start_ = noise.start_sd * random_.normal();
     keep_ = noise.torque_time > 0 ? std::exp(-kAge / noise.torque_time) : 0;
     torque_ = noise.torque_sd * random_.normal();
@@ -229,7 +230,7 @@ class ToyJoint final : public JointSimulator {
           "motion" + std::to_string(m), m + 1 < motions ? Split::Fit : Split::Select, 0.01, {}};
       for (int r = 0; r < repeats; ++r) {
         const std::uint64_t stream = 0x5eed0000 + seed * 1000 + m * 100 + static_cast<unsigned>(r);
-        motion.repeats.push_back(ToyRun(truth, m, stream, noise).record());
+        motion.repeats.push_back(ToyRun(truth, m, RunDraw{stream}, noise).record());
       }
       measured_.push_back(std::move(motion));
     }
@@ -242,14 +243,14 @@ class ToyJoint final : public JointSimulator {
     ToyLaws laws;
     laws.sent = sent_;
     for (const EffectSetting& cause : causes) laws.set(cause.name, cause.parameters);
-    return ToyRun(laws, motion, stream, noise).record();
+    return ToyRun(laws, motion, drawOf(stream, motion), noise).record();
   }
   LedRun led(const std::vector<EffectSetting>& causes, std::size_t motion,
              const Eigen::VectorXd& angle, const Eigen::VectorXd& misread) const override {
     ToyLaws laws;
     laws.sent = sent_;
     for (const EffectSetting& cause : causes) laws.set(cause.name, cause.parameters);
-    return ToyRun(laws, motion, 0, {}).led(angle, misread);
+    return ToyRun(laws, motion, RunDraw{}, {}).led(angle, misread);
   }
   double present(const std::string& effect, const std::string& /*parameter*/) const override {
     const ToyLaws laws;
