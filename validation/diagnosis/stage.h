@@ -19,15 +19,15 @@ struct Effort {
   int look_runs = 4;           // per motion, of a candidate's looks and first fit
   int final_runs = 8;          // of the fits of finalists
   int base_runs = 16;          // exact ones, of the model that the measurement is compared with
-  int brief_runs = 8;          // the same, where a number is only moved to
   int null_sets = 200;         // drawn from those
-  int spread_runs = 48;        // that show how noise goes together
   int survivors = 8;           // candidates that are fitted at all
   int finalists = 4;           // that are fitted with final_runs
   int most_causes = 4;         // named for one joint
   double false_alarms = 0.01;  // that thresholds let pass, of null sets of the whole set
   int slope_runs = 4;          // exact ones, to either side of a number that was found
   int difference_runs = 8;     // of what equal robots differ by: its chance stays in the numbers
+  int brief_runs = 8;          // exact ones, where a number is only moved to
+  int spread_runs = 48;        // that show how noise goes together
 };
 
 /// What switching a cause on does to the prediction, once, at its start values.
