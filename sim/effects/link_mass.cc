@@ -16,7 +16,7 @@ constexpr double kLeast = 0.01;  // of an inertia: none may vanish
 EffectType linkMass() {
   return {"link_mass",
           "The bodies directly on these joints are heavier or lighter than the model says.",
-          {{"part", "", 0.1, 0, -0.95, 10, 0.05}, {"inertia", "", 1, 1, 0, 2, 0.5}},
+          {{"part", "", 0.1, 0, -0.95, 100, 0.05}, {"inertia", "", 1, 1, 0, 2, 0.5}},
           Acts::Once,
           [](const EffectSetup& setup) {
             const double part = setup.value("part"), inertia = setup.value("inertia");

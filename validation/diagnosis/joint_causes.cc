@@ -181,7 +181,8 @@ void addLoad(std::vector<Cause>& all) {
   }
   offset.twins = {"ground_tilt.x", "ground_tilt.y"};
   all.push_back(offset);
-  all.push_back(spread(shaped(one("link_mass", "part", {0.2, -0.2},
+  // Of a light link 0.2 hardly shows: what is tied to it may be many times as heavy.
+  all.push_back(spread(shaped(one("link_mass", "part", {0.2, -0.2, 5},
                                   "the link on {joint} is heavier by {value} of nominal",
                                   "slow and fast motion with a known mass added"),
                               "inertia", {0, -1}),  // from 1, as of a link that is denser all over
