@@ -105,6 +105,8 @@ class JointSearch {
   std::unique_ptr<Stage> stageOf(const CauseList& model, const Eigen::MatrixXd& jacobian);
   void enter(std::unique_ptr<Stage> stage);
   void enterModel(const ModelFit& fit);
+  void descend();
+  std::optional<ModelFit> nextByExactRuns();
   double critical() const;
   void drop(std::size_t place, double gain, const std::string& reason);
   void swap(std::size_t place, double gain, const Stage& without, const Candidate& best,

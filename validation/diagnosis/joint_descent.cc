@@ -1,0 +1,60 @@
+// Where exact runs with a cause still leave more than chance, its numbers go on by these alone.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "validation/diagnosis/exact_slopes.h"
+#include "validation/diagnosis/joint_search.h"
+
+namespace nao::validation {
+namespace {
+
+constexpr int kRounds = 5;
+constexpr int kShortened = 4;        // a step that leads too far, by half each time
+constexpr double kWorthAStep = 0.1;  // of what is left beyond chance: less is not worth its runs
+
+}  // namespace
+
+// Coarse runs choose directions badly where a joint sticks or is at a limit, and bend the valley
+// that the numbers are in.
+void JointSearch::descend() {
+  for (int round = 0; round < kRounds && !ensemble_.spent(); ++round) {
+    const ByChance chance = byChance();
+    const double left = stage_->white(stage_->raw()).squaredNorm() / 2;
+    if (left < chance.most_left + chance.critical) return;
+    const std::optional<ModelFit> next = nextByExactRuns();
+    if (!next) return;
+    Snapshot before = snapshot();
+    fit_ = *next;
+    ensemble_.learnNoise(settingsOf(causes_, fit_.model));
+    enter(stageOf(fit_.model, fit_.jacobian));
+    const double now = stage_->white(stage_->raw()).squaredNorm() / 2;
+    if (now > left) return restore(std::move(before));
+    moveNumbers(fit_, stage_->raw(), *stage_, causes_);
+    if (left - now < kWorthAStep * (left - chance.left)) return;
+  }
+}
+
+// A Gauss-Newton step by exact slopes, as far along it as runs say that it helps; none if nowhere.
+std::optional<ModelFit> JointSearch::nextByExactRuns() {
+  ModelFit here = fit_;
+  here.model = stage_->model();
+  setExactSlopes(ensemble_, causes_, effort_.slope_runs, *stage_, here);
+  ModelFit there = here;
+  moveNumbers(there, stage_->raw(), *stage_, causes_);
+  const auto left = [&](const CauseList& model) {
+    const RunPool pool = ensemble_.pool(settingsOf(causes_, model), effort_.slope_runs);
+    return stage_->whitenFit(data_.mean() - pool.mean).squaredNorm() / 2;
+  };
+  const double before = left(here.model);
+  const std::vector<double> from = numbersOf(here.model);
+  for (int i = 0; i < kShortened; ++i) {
+    if (left(there.model) < before - critical()) return there;
+    std::vector<double> half = numbersOf(there.model);
+    for (std::size_t k = 0; k < half.size(); ++k) half[k] = (from[k] + half[k]) / 2;
+    there.model = withNumbers(here.model, half);
+  }
+  return std::nullopt;
+}
+
+}  // namespace nao::validation
