@@ -28,11 +28,18 @@ void JointSearch::descend() {
     fit_ = *next;
     ensemble_.learnNoise(settingsOf(causes_, fit_.model));
     enter(stageOf(fit_.model, fit_.jacobian));
-    const double now = stage_->white(stage_->raw()).squaredNorm() / 2;
-    if (now > left) return restore(std::move(before));
+    if (stage_->white(stage_->raw()).squaredNorm() / 2 > left) {
+      return restore(std::move(before));
+    }
     moveNumbers(fit_, stage_->raw(), *stage_, causes_);
-    if (left - now < kWorthAStep * (left - chance.left)) return;
   }
+}
+
+// Whether a step that leaves this takes enough of what is more than chance, and what the
+// sensitivities so far do not explain.
+bool JointSearch::isWorthAStep(double left) const {
+  const double before = stage_->white(stage_->raw()).squaredNorm() / 2;
+  return before - left > kWorthAStep * (before - byChance().left);
 }
 
 // A Gauss-Newton step by exact slopes, as far along it as runs say that it helps; none if nowhere.
@@ -42,12 +49,17 @@ std::optional<ModelFit> JointSearch::nextByExactRuns() {
   setExactSlopes(ensemble_, causes_, effort_.slope_runs, *stage_, here);
   ModelFit there = here;
   moveNumbers(there, stage_->raw(), *stage_, causes_);
+  const std::vector<double> from = numbersOf(here.model), to = numbersOf(there.model);
+  Eigen::VectorXd expected = stage_->raw();
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    expected -= here.jacobian.col(static_cast<Eigen::Index>(k)) * (to[k] - from[k]);
+  }
+  if (!isWorthAStep(stage_->whitenFit(expected).squaredNorm() / 2)) return std::nullopt;
   const auto left = [&](const CauseList& model) {
     const RunPool pool = ensemble_.pool(settingsOf(causes_, model), effort_.slope_runs);
     return stage_->whitenFit(data_.mean() - pool.mean).squaredNorm() / 2;
   };
   const double before = left(here.model);
-  const std::vector<double> from = numbersOf(here.model);
   for (int i = 0; i < kShortened; ++i) {
     if (left(there.model) < before - critical()) return there;
     std::vector<double> half = numbersOf(there.model);

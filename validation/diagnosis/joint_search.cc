@@ -264,7 +264,7 @@ void JointSearch::take(const Candidate& candidate, const CrossValidation& valida
   setRivals(accepted_.size() - 1, ranking, *stage_);
   ensemble_.learnNoise(settingsOf(causes_, candidate.fit.model));
   enterModel(candidate.fit);
-  descend();
+  if (accepted_.size() == 1) descend();  // of further ones most stand in for a law of no catalogue
 }
 
 // A joint that sticks or rattles may look explained in coarse steps alone. Of little, chance

@@ -107,6 +107,7 @@ class JointSearch {
   void enterModel(const ModelFit& fit);
   void descend();
   std::optional<ModelFit> nextByExactRuns();
+  bool isWorthAStep(double left) const;
   double critical() const;
   void drop(std::size_t place, double gain, const std::string& reason);
   void swap(std::size_t place, double gain, const Stage& without, const Candidate& best,
