@@ -23,16 +23,22 @@ RunPool poolOf(const JointData& data) {
   return pool;
 }
 
+// Of a sample, over 50 sets measured again.
+double varianceAgain(const RunPool& pool, const JointData& data) {
+  double square = 0;
+  for (std::uint64_t set = 1; set <= 50; ++set) {
+    square += pool.measuredAgain(data, set).squaredNorm() / static_cast<double>(data.size()) / 50;
+  }
+  return square;
+}
+
 // A mean of R runs beside one of N others: 1 / R + 1 / N, however many repeats there are.
 TEST(RunPool, ASetMeasuredAgainVariesAsMuchAsOneThatIs) {
   for (const int repeats : {6, 38, 39, 48, 90}) {
     const test::ToyJoint toy({}, 1, test::kToyNoise, repeats, 2);
     const JointData data(toy, test::kToyNoise);
     const RunPool pool = poolOf(data);
-    double square = 0;
-    for (std::uint64_t set = 1; set <= 50; ++set) {
-      square += pool.measuredAgain(data, set).squaredNorm() / static_cast<double>(data.size()) / 50;
-    }
+    const double square = varianceAgain(pool, data);
     // 50 sets of 1200 samples know it to 1 %, those of 48 runs, which they share, to 1.2 %.
     EXPECT_NEAR(square, 1.0 / repeats + 1.0 / 48, 0.05 * (1.0 / repeats + 1.0 / 48)) << repeats;
   }
@@ -64,10 +70,7 @@ TEST(RunPool, RunsThatMirrorEachOtherKnowTheirMeanBetter) {
     const test::ToyJoint toy({}, 1, test::kToyNoise, repeats, 2);
     const JointData data(toy, test::kToyNoise);
     const RunPool pool = mirroredPoolOf(data);
-    double square = 0;
-    for (std::uint64_t set = 1; set <= 50; ++set) {
-      square += pool.measuredAgain(data, set).squaredNorm() / static_cast<double>(data.size()) / 50;
-    }
+    const double square = varianceAgain(pool, data);
     const double expected = 1.0 / repeats + 0.1 / 48;
     EXPECT_NEAR(square, expected, 0.05 * expected) << repeats;
     EXPECT_NEAR(pool.worth(), 480, 1e-9);
