@@ -1,7 +1,9 @@
 // Dry friction in one direction only: budget of |torque| against motion towards larger angles if
-// torque > 0, towards smaller angles if < 0. Source: uneven wear of gear and brushes; free choice
-// of form, so that it adds to every other friction.
+// torque > 0, towards smaller angles if < 0. With `creep` it does not stick: |T| = torque
+// tanh(|q'| / creep), so that a load turns the joint slowly. Source: uneven wear of gear and
+// brushes; free choice of form, so that it adds to every other friction.
 #include <algorithm>
+#include <cmath>
 
 #include "sim/effects/effect.h"
 
@@ -11,18 +13,30 @@ namespace {
 class FrictionAsymmetry final : public Effect {
  public:
   explicit FrictionAsymmetry(const EffectSetup& setup)
-      : joints_(setup.hinged()), torque_(setup.value("torque")) {}
+      : joints_(setup.hinged()), torque_(setup.value("torque")), creep_(setup.value("creep")) {}
 
-  void alterDrive(const DriveMoment&, DriveTerms& terms) override {
+  void alterDrive(const DriveMoment& moment, DriveTerms& terms) override {
     for (const std::size_t j : joints_) {
+      if (creep_ > 0) {
+        terms.viscous[j] += damping(moment.rate[j]);
+        continue;
+      }
       terms.resist_forward[j] += std::max(torque_, 0.0);
       terms.resist_backward[j] += std::max(-torque_, 0.0);
     }
   }
 
  private:
+  // [N m s/rad] at this rate; a joint that has not begun to move is held by half of it.
+  double damping(double rate) const {
+    if (rate == 0) return std::abs(torque_) / creep_ / 2;
+    if (rate * torque_ < 0) return 0;
+    return std::abs(torque_ * std::tanh(rate / creep_) / rate);
+  }
+
   std::vector<std::size_t> joints_;
   double torque_;  // [N m]
+  double creep_;   // [rad/s]
 };
 
 }  // namespace
@@ -30,7 +44,7 @@ class FrictionAsymmetry final : public Effect {
 EffectType frictionAsymmetry() {
   return {"friction_asymmetry",
           "Dry friction against one direction of motion only.",
-          {{"torque", "N m", 0.05, 0, -10, 10, 0.005}},
+          {{"torque", "N m", 0.05, 0, -10, 10, 0.005}, {"creep", "rad/s", 0, 0, 0, 1, 0.001}},
           Acts::OnDrive,
           makeEffect<FrictionAsymmetry>};
 }

@@ -85,9 +85,10 @@ void addFriction(std::vector<Cause>& all) {
                            "{joint}'s friction grows by {value} of the torque its gear carries",
                            "the same sweep with a light and a heavy load"),
                        "of_motor", {0, 1}));
-  all.push_back(one("friction_asymmetry", "torque", {0.1, -0.1, 0.4, -0.4},
-                    "{joint} has {value} of friction in one direction only",
-                    "rest after approaching a place from either side"));
+  all.push_back(shaped(one("friction_asymmetry", "torque", {0.1, -0.1, 0.4, -0.4},
+                           "{joint} has {value} of friction in one direction only",
+                           "rest after approaching a place from either side"),
+                       "creep", {0, 0.01}));
   all.push_back(one("torque_bias", "torque", {0.1}, "a constant torque of {value} acts on {joint}",
                     "the same motion with the base turned by 90 degrees"));
 }
@@ -257,7 +258,8 @@ const std::vector<Cause>& benchCauses() {
   static const std::vector<Cause> causes = [] {
     std::vector<Cause> all = jointCauses();
     for (Cause& cause : all) {
-      for (const char* id : {"load_friction", "backlash", "gear_compliance"}) {
+      for (const char* id :
+           {"load_friction", "friction_asymmetry", "backlash", "gear_compliance"}) {
         if (cause.id == id) cause.free.resize(1);  // without repeats: no shape
       }
     }

@@ -157,5 +157,23 @@ TEST(FrictionAsymmetry, SlowsOneDirectionOnly) {
   }
 }
 
+// Under half of its friction's torque it goes on at the rate where tanh(rate / creep) is a half;
+// without creep it sticks.
+TEST(FrictionAsymmetry, MayCreepInsteadOfSticking) {
+  constexpr double kTorque = 0.04, kCreep = 0.02;
+  const auto rateOf = [&](double creep, double load) {
+    Rig rig(freeRod(kMass, kLength),
+            {effect("friction_asymmetry", {{"torque", kTorque}, {"creep", creep}}),
+             effect("torque_bias", {{"torque", load}})});
+    rig.run(0.5);
+    return rig.rate();
+  };
+  EXPECT_NEAR(rateOf(kCreep, kTorque / 2), kCreep * std::atanh(0.5), 1e-6);
+  EXPECT_NEAR(rateOf(0, kTorque / 2), 0, 1e-6);
+  // A step's change of rate, as long as it does not know which way it goes: I / h and half of
+  // torque / creep resist it.
+  EXPECT_NEAR(rateOf(kCreep, -kTorque / 2), rateOf(0, -kTorque / 2), 1e-4);
+}
+
 }  // namespace
 }  // namespace nao::sim::test

@@ -114,6 +114,20 @@ TEST(JointLevel, AHeavyBallTiedToALightLinkIsMass) {
   EXPECT_NEAR(mass.numbers[0].deviation, 3 / arm.mass, 0.05 * 3 / arm.mass);
 }
 
+// Told as a friction that sticks, beside three more causes and a remainder, in ten times the time.
+TEST(JointLevel, AFrictionOneWayThatCreepsIsToldAlone) {
+  const EffectSetting friction{"friction_asymmetry",
+                               {{"torque", 0.2}, {"creep", 0.005}},
+                               {*test::robot("nao_h21_v33")->findJoint("RElbowYaw")},
+                               ""};
+  const auto found = diagnose(record("8", {friction}, 5, "RElbowYaw"), quick()).found;
+  EXPECT_EQ(found.joints[0].verdict, Verdict::Named);
+  ASSERT_EQ(found.joints[0].named().size(), 1u);
+  const Finding& told = *found.joints[0].named()[0];
+  EXPECT_EQ(told.cause, "friction_asymmetry");
+  EXPECT_NEAR(told.numbers[0].value, 0.2, 0.05 * 0.2);
+}
+
 // Each robot's units have names of their own, so that none is taken for another's.
 TEST(JointLevel, GoesOnWithWhatEachRobotFinished) {
   const TemporaryFolder folder;
