@@ -22,6 +22,8 @@ class Slopes {
          ModelFit& fit)
       : ensemble_(ensemble), causes_(causes), runs_(runs), stage_(stage), fit_(fit) {}
 
+  // Chance fades as a difference widens: one that steepens has gone beyond where the joint moves as
+  // it does here.
   void set(const FreeNumber& number, bool stop, double& x, Eigen::Index column) {
     const double part = stop ? 0 : kPart * std::abs(x);
     double width = within(number, x, std::max(number.smallest, part));
@@ -30,8 +32,14 @@ class Slopes {
     while (chance(column) > kChance) {
       const double wider = within(number, x, std::min(kWider * width, kWidest * std::abs(x)));
       if (wider <= width || ensemble_.spent()) return;
+      const Eigen::VectorXd mean = fit_.jacobian.col(column), by_chance = fit_.chance.col(column);
+      setSlope(fit_, column, slope(x, wider));
+      if (sizeOf(fit_.jacobian.col(column)) > sizeOf(mean)) {
+        fit_.jacobian.col(column) = mean;
+        fit_.chance.col(column) = by_chance;
+        return;
+      }
       width = wider;
-      setSlope(fit_, column, slope(x, width));
     }
   }
 
@@ -49,9 +57,11 @@ class Slopes {
 
   Halves runsHere() { return ensemble_.exactHalves(settingsOf(causes_, fit_.model), runs_); }
 
+  double sizeOf(const Eigen::VectorXd& change) const { return stage_.whitenFit(change).norm(); }
+
   double chance(Eigen::Index column) const {
-    const double all = stage_.whitenFit(fit_.jacobian.col(column)).squaredNorm();
-    return stage_.whitenFit(fit_.chance.col(column)).squaredNorm() / std::max(all, 1e-300);
+    const double all = sizeOf(fit_.jacobian.col(column));
+    return std::pow(sizeOf(fit_.chance.col(column)) / std::max(all, 1e-150), 2);
   }
 
   Ensemble& ensemble_;

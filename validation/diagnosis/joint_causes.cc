@@ -190,7 +190,9 @@ void addLoad(std::vector<Cause>& all) {
                        0.02));
   all.back().spread_beyond = true;
   for (const char* axis : {"x", "y", "z"}) {
-    all.push_back(part("link_com", axis, {0.02}, "the link on {joint} has its mass off by {value}",
+    // [m] Far off, a light link's mass turns as a larger inertia to either side.
+    all.push_back(part("link_com", axis, {0.02, 0.1, -0.1},
+                       "the link on {joint} has its mass off by {value}",
                        "slow motion in two orientations of the base"));
   }
   all.push_back(one("payload", "mass", {0.2, 1.0}, "{joint}'s link carries {value}",

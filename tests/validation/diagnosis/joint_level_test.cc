@@ -114,6 +114,17 @@ TEST(JointLevel, AHeavyBallTiedToALightLinkIsMass) {
   EXPECT_NEAR(mass.numbers[0].deviation, 3 / arm.mass, 0.05 * 3 / arm.mass);
 }
 
+// A hip's link of 0.07 kg, of which a look at 0.02 m sees nothing: it was told as a torque.
+TEST(JointLevel, AMassThatLiesFarOffInALightLinkIsNoTorque) {
+  const EffectSetting far{
+      "link_com", {{"x", 0.2}}, {*test::robot("nao_h21_v33")->findJoint("LHipYawPitch")}, ""};
+  const auto found = diagnose(record("9", {far}, 5, "LHipYawPitch"), quick()).found;
+  ASSERT_EQ(found.joints[0].named().size(), 1u);
+  const Finding& told = *found.joints[0].named()[0];
+  EXPECT_EQ(told.cause, "link_com.x");
+  EXPECT_NEAR(told.numbers[0].value, 0.2, 0.15 * 0.2);
+}
+
 // Told as a friction that sticks, beside three more causes and a remainder, in ten times the time.
 TEST(JointLevel, AFrictionOneWayThatCreepsIsToldAlone) {
   const EffectSetting friction{"friction_asymmetry",
