@@ -1,5 +1,7 @@
-// Angles and currents are reported late: q'(t) = q(t - delay), linear between two cycles. The servo
-// is on the motor board and sees them at once. Source: transport over the robot's bus.
+// Angles and currents are reported late: q'(t) = q(t - delay), angles by a cubic between cycles
+// (half a millirad of a joint that gains speed by 40 rad/s^2 were lost by a line), currents, which
+// jump, by a line. The servo is on the motor board and sees them at once. Source: transport over
+// the robot's bus.
 #include "sim/effects/delay_line.h"
 #include "sim/effects/effect.h"
 
@@ -17,7 +19,7 @@ class SensorDelay final : public Effect {
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       angle_.put(i, frame.angle[joints_[i]]);
       current_.put(i, frame.current[joints_[i]]);
-      frame.angle[joints_[i]] = angle_.late(i);
+      frame.angle[joints_[i]] = angle_.lateSmooth(i);
       frame.current[joints_[i]] = current_.late(i);
     }
     angle_.next();

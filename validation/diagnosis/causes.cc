@@ -51,6 +51,25 @@ double longestRun(const JointSimulator& joint) {
   return longest;
 }
 
+// [rad] that the joint turned through in all motions that may be fitted.
+double rangeOf(const JointSimulator& joint) {
+  double least = kFar, most = -kFar;
+  for (const JointMotion& motion : joint.measured()) {
+    for (const Eigen::MatrixXd& run : motion.repeats) {
+      if (motion.split == Split::Test) continue;
+      least = std::min(least, run.col(0).minCoeff());
+      most = std::max(most, run.col(0).maxCoeff());
+    }
+  }
+  return most - least;
+}
+
+// A ripple of less than a whole period is told by nothing from any other law of the angle.
+void withWholePeriod(FreeNumber& per_turn, const JointSimulator& joint) {
+  const double least = 2 * M_PI / std::max(rangeOf(joint), 1e-6);
+  per_turn.lower = std::max(per_turn.lower, least - per_turn.neutral);
+}
+
 void replace(std::string& text, const std::string& key, const std::string& value) {
   const std::size_t at = text.find(key);
   if (at != std::string::npos) text.replace(at, key.size(), value);
@@ -85,6 +104,7 @@ Cause boundedAt(const Cause& cause, const JointSimulator& joint,
       number.lower = p.min - p.neutral - present;
       number.upper = p.max - p.neutral - present;
       if (number.smallest == 0) number.smallest = p.smallest;
+      if (cause.effect == "cogging" && p.name == "per_turn") withWholePeriod(number, joint);
     }
   }
   if (cause.effect == "encoder_quantum") startAtMeasuredQuantum(bounded.free[0], joint);

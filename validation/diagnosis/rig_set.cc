@@ -5,6 +5,7 @@
 #include "validation/diagnosis/merge_effects.h"
 #include "validation/diagnosis/rig_simulator.h"
 #include "validation/diagnosis/run_load.h"
+#include "validation/log/series.h"
 #include "validation/log/standard_motions.h"
 #include "validation/suspended.h"
 
@@ -23,6 +24,7 @@ RigSet::RigSet(const LogSet& set, std::shared_ptr<const RobotModel> model, RigOp
   if (motions_.empty()) throw InputError(set.name + ": expected at least one run");
   choosePace(motions_.front().dt);
   findJoints();
+  layCounts(set);
   for (const GriddedMotion& motion : motions_) measured_.push_back(meanOf(motion));
 }
 
@@ -61,6 +63,26 @@ void RigSet::findJoints() {
     });
     if (all && !model_->actuators[j].coordinates.empty()) joints_.push_back(joint);
   }
+}
+
+// A joint that rests reads the same count in every repeat: off by up to half of one where a zero
+// that was set in software is not known.
+void RigSet::layCounts(const LogSet& set) {
+  constexpr char kCounts[] = "encoder_quantum";
+  std::vector<EffectSetting> beside;
+  for (const Joint joint : joints_) {
+    const double quantum = presentDeviation(*model_, index(joint), kCounts, "quantum", catalogue());
+    if (quantum <= 0) continue;
+    std::vector<double> angles;
+    for (const LogRun& run : set.runs) {
+      const Column* q = run.find("q." + model_->actuators[index(joint)].name);
+      if (q != nullptr && run.split != Split::Test)
+        angles.insert(angles.end(), q->begin(), q->end());
+    }
+    const double phase = findPhase(angles, quantum);
+    if (phase != 0) beside.push_back({kCounts, {{"quantum", 0}, {"phase", phase}}, {joint}, ""});
+  }
+  model_->effects = mergedEffects(*model_, beside, catalogue());
 }
 
 MeasuredMotion RigSet::meanOf(const GriddedMotion& motion) const {

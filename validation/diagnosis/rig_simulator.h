@@ -55,6 +55,7 @@ class RigSet {
  private:
   void choosePace(double dt);
   void findJoints();
+  void layCounts(const LogSet& set);
   MeasuredMotion meanOf(const GriddedMotion& motion) const;
 
   std::shared_ptr<RobotModel> model_;  // its cycle is a row

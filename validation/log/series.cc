@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 namespace nao::validation {
 
@@ -89,6 +90,22 @@ double findQuantum(std::vector<double> values) {
   }
   return all >= kEnough && static_cast<double>(near) > kMost * static_cast<double>(all) ? quantum
                                                                                         : 0;
+}
+
+double findPhase(const std::vector<double>& values, double quantum) {
+  constexpr double kTogether =
+      0.98;                       // of unit vectors that chance leaves at 1 / sqrt(their number)
+  constexpr double kNone = 1e-3;  // of a count: rounding of decimals
+  std::complex<double> sum = 0;
+  double count = 0;
+  for (const double value : values) {
+    if (std::isnan(value)) continue;
+    sum += std::polar(1.0, 2 * M_PI * value / quantum);
+    ++count;
+  }
+  if (count == 0 || std::abs(sum) < kTogether * count) return 0;
+  const double part = std::arg(sum) / (2 * M_PI);
+  return std::abs(part) < kNone ? 0 : part * quantum;
 }
 
 }  // namespace nao::validation

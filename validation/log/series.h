@@ -34,4 +34,8 @@ std::vector<double> differences(const std::vector<double>& values);
 /// few values to tell.
 double findQuantum(std::vector<double> values);
 
+/// Where the whole counts of `quantum` [rad] lie that all values are: beside 0 by at most half of
+/// one [rad], as of a zero that was set in software. 0 if the values are no such counts.
+double findPhase(const std::vector<double>& values, double quantum);
+
 }  // namespace nao::validation

@@ -78,7 +78,7 @@ class ClockedHold final : public sim::Effect {
 };
 
 // Readings are stored and sent `delay` later, on top of the model's own delay: angles of every
-// step, currents of every cycle, between which they are taken to run straight.
+// step, in whole counts, currents of every cycle, between which they are taken to run straight.
 class LateReading final : public sim::Effect {
  public:
   explicit LateReading(const sim::EffectSetup& setup)
@@ -100,9 +100,8 @@ class LateReading final : public sim::Effect {
 
   void alterSensors(SensorFrame& frame, Duration) override {
     for (std::size_t i = 0; i < joints_.size() && !angle_[i].empty(); ++i) {
-      double& reported = frame.angle[joints_[i]];
-      reported += at(angle_[i], own_ + late_) - at(angle_[i], own_);
-      if (quantum_ > 0) reported = quantum_ * std::round(reported / quantum_);
+      const double reading = at(angle_[i], own_ + late_ - step_);  // the latest is a step old
+      frame.angle[joints_[i]] = quantum_ > 0 ? quantum_ * std::round(reading / quantum_) : reading;
       current_[i].push_back(frame.current[joints_[i]]);
       frame.current[joints_[i]] = between(current_[i], late_ / cycle_);
     }
@@ -115,7 +114,7 @@ class LateReading final : public sim::Effect {
 
  private:
   double at(const std::vector<double>& angles, double ago) const {
-    const auto steps = static_cast<std::size_t>(std::lround(ago / step_));
+    const auto steps = static_cast<std::size_t>(std::lround(std::max(0.0, ago) / step_));
     return angles[angles.size() - 1 - std::min(steps, angles.size() - 1)];
   }
 

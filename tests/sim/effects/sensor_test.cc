@@ -38,6 +38,14 @@ TEST(EncoderQuantum, ReportsTheNearestWholeCount) {
   EXPECT_NEAR(reported({effect("encoder_quantum")}, 1, rest)[0], 0.25, kCount / 2);
 }
 
+TEST(EncoderQuantum, CountsMayLieBesideZero) {
+  constexpr double kPhase = 0.3 * kCount;
+  for (const double angle : reported({effect("encoder_quantum", {{"phase", kPhase}})}, 100, ramp)) {
+    const double counts = (angle - kPhase) / kCount;
+    EXPECT_NEAR(counts, std::round(counts), 1e-9);
+  }
+}
+
 TEST(EncoderJitter, IsOneCountAQuarterOfTheTimeEachWay) {
   constexpr int kSamples = 20000;
   int up = 0, down = 0;
@@ -58,6 +66,20 @@ TEST(SensorDelay, ShiftsWhatIsReported) {
     const auto angles = reported({effect("sensor_delay", {{"delay", delay}})}, 50, ramp);
     for (std::size_t i = 5; i < angles.size(); ++i) {
       ASSERT_NEAR(angles[i], ramp(static_cast<double>(i) * kCycle - delay), 1e-12) << delay;
+    }
+  }
+}
+
+// A cubic between samples is off by (3/128) h^4 q'''' at most, with the latest sample lacking by
+// h^3 q''' / 16.
+TEST(SensorDelay, FollowsAnglesThatBend) {
+  const auto swing = [](double t) { return 0.3 * std::sin(10 * t); };
+  for (const double delay : {0.004, 0.013, 0.025}) {
+    const auto angles = reported({effect("sensor_delay", {{"delay", delay}})}, 50, swing);
+    const double most = delay < kCycle ? 0.3 * 1e3 * std::pow(kCycle, 3) / 15
+                                       : 0.3 * 1e4 * std::pow(kCycle, 4) * 3 / 120;
+    for (std::size_t i = 6; i < angles.size(); ++i) {
+      ASSERT_NEAR(angles[i], swing(static_cast<double>(i) * kCycle - delay), most) << delay;
     }
   }
 }

@@ -43,6 +43,26 @@ TEST(JointCauses, ShrinkWhatTheModelHasByNoMoreThanThereIs) {
   EXPECT_NEAR(friction.spread, 0.1 / std::sqrt(3.0) * test::ToyLaws{}.coulomb, 1e-12);
 }
 
+// A spring that hardens was told as a spring and a ripple of 4 periods per turn, of which the
+// joint's range shows nine tenths of one.
+TEST(JointCauses, ARippleShowsAWholePeriodAtLeast) {
+  const test::ToyJoint toy({}, 1, test::kToyNoise, 2, 1);
+  double least = 10, most = -10;  // [rad]
+  for (const JointMotion& motion : toy.measured()) {
+    for (const Eigen::MatrixXd& run : motion.repeats) {
+      if (motion.split == Split::Test) continue;
+      least = std::min(least, run.col(0).minCoeff());
+      most = std::max(most, run.col(0).maxCoeff());
+    }
+  }
+  const Cause ripple = boundedAt(cause("cogging"), toy, sim::standardEffects());
+  ASSERT_FALSE(startsOf(ripple).empty());
+  for (const std::vector<double>& x : startsOf(ripple)) {
+    const double per_turn = settingOf(ripple, x).parameters.at("per_turn");
+    EXPECT_GE(per_turn * (most - least), 2 * M_PI);
+  }
+}
+
 // A physics engine of another kind was told as a battery that rises by 0.5 % per second: 1.6 % on
 // the mean of six seconds, where a drop of that size would not have been named.
 TEST(JointCauses, AskAsMuchOfAVoltageThatSinksAsOfOneThatIsLow) {

@@ -228,6 +228,27 @@ TEST(NoiseFit, StartsFromTheRobotsFile) {
   EXPECT_GT(nominalNoise(*pendulum, toJoint(0)).torque_sd, 0);
 }
 
+// As a robot does whose zeros were set in software: the encoder counts as before.
+TEST(RigSimulator, ReadsTheCountsThatTheLogHas) {
+  const auto model = std::make_shared<RobotModel>(
+      cutLimbs(stripped(suspend(*nao::test::robot("nao_h21_v33"))), {"HeadYaw"}));
+  RecordingPlan plan;
+  plan.model = model;
+  plan.motions = {standardRecording(model).front()};
+  plan.repeats = 1;
+  LogSet set = recordSimulated(plan);
+  constexpr double kCount = 2 * M_PI / 4096, kBeside = 0.4 * kCount;  // [rad]
+  for (LogRun& run : set.runs) {
+    for (double& angle : run.columns["q.HeadYaw"]) angle += kBeside;
+  }
+  const RigSimulator simulator(std::make_shared<RigSet>(set, model), *model->findJoint("HeadYaw"));
+  const Eigen::MatrixXd run = simulator.run({}, 0, 1, {});
+  for (Eigen::Index row = 0; row < run.rows(); ++row) {
+    const double counts = (run(row, 0) - kBeside) / kCount;
+    ASSERT_NEAR(counts, std::round(counts), 1e-3) << row;
+  }
+}
+
 TEST(RigSimulator, RefusesARobotOnItsFeet) {
   LogSet set;
   set.rate = 100;
