@@ -34,12 +34,12 @@ class EncoderQuantum final : public Effect {
 }  // namespace
 
 EffectType encoderQuantum() {
-  return {
-      "encoder_quantum",
-      "Encoders report whole counts.",
-      {{"quantum", "rad", 2 * M_PI / 4096, 0, 0, 0.1, 2e-4}, {"phase", "rad", 0, 0, -0.1, 0.1, 0}},
-      Acts::OnSensors,
-      [](const EffectSetup& setup) { return std::make_unique<EncoderQuantum>(setup); }};
+  return {"encoder_quantum",
+          "Encoders report whole counts.",
+          {{"quantum", "rad", 2 * M_PI / 4096, 0, 0, 0.1, 2e-4},
+           {"phase", "rad", 0, 0, -0.1, 0.1, 5e-4}},
+          Acts::OnSensors,
+          [](const EffectSetup& setup) { return std::make_unique<EncoderQuantum>(setup); }};
 }
 
 }  // namespace nao::sim
