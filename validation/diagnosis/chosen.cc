@@ -14,6 +14,11 @@ std::vector<double> numbersOf(const CauseList& model) {
   return all;
 }
 
+Eigen::VectorXd columnOf(const CauseList& model) {
+  const std::vector<double> all = numbersOf(model);
+  return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
+}
+
 CauseList withNumbers(CauseList model, const std::vector<double>& numbers) {
   std::size_t next = 0;
   for (Chosen& one : model) {

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "validation/diagnosis/causes.h"
 
 namespace nao::validation {
@@ -18,6 +20,8 @@ std::vector<EffectSetting> settingsOf(const std::vector<Cause>& causes, const Ca
 
 /// Of all causes, in order.
 std::vector<double> numbersOf(const CauseList& model);
+/// The same, a row per column of a fit's sensitivities.
+Eigen::VectorXd columnOf(const CauseList& model);
 /// The model with these numbers in place of its own, in order.
 CauseList withNumbers(CauseList model, const std::vector<double>& numbers);
 

@@ -49,17 +49,15 @@ std::optional<ModelFit> JointSearch::nextByExactRuns() {
   setExactSlopes(ensemble_, causes_, effort_.slope_runs, *stage_, here);
   ModelFit there = here;
   moveNumbers(there, stage_->raw(), *stage_, causes_);
-  const std::vector<double> from = numbersOf(here.model), to = numbersOf(there.model);
-  Eigen::VectorXd expected = stage_->raw();
-  for (std::size_t k = 0; k < from.size(); ++k) {
-    expected -= here.jacobian.col(static_cast<Eigen::Index>(k)) * (to[k] - from[k]);
-  }
+  const Eigen::VectorXd expected =
+      stage_->raw() - here.jacobian * (columnOf(there.model) - columnOf(here.model));
   if (!isWorthAStep(stage_->whitenFit(expected).squaredNorm() / 2)) return std::nullopt;
   const auto left = [&](const CauseList& model) {
     const RunPool pool = ensemble_.pool(settingsOf(causes_, model), effort_.slope_runs);
     return stage_->whitenFit(data_.mean() - pool.mean).squaredNorm() / 2;
   };
   const double before = left(here.model);
+  const std::vector<double> from = numbersOf(here.model);
   for (int i = 0; i < kShortened; ++i) {
     if (left(there.model) < before - critical()) return there;
     std::vector<double> half = numbersOf(there.model);

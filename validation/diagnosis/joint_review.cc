@@ -18,12 +18,6 @@ bool samePlace(const Cause& a, const Cause& b) {
          b.id.rfind(b.effect + ".", 0) == 0;
 }
 
-// A row per column of the fit's sensitivities.
-Eigen::VectorXd columnOf(const CauseList& model) {
-  const std::vector<double> all = numbersOf(model);
-  return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
-}
-
 bool isTooSmall(const Cause& cause, double x) { return std::abs(x) < cause.free[0].smallest; }
 
 }  // namespace
