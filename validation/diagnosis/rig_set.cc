@@ -10,6 +10,21 @@
 #include "validation/suspended.h"
 
 namespace nao::validation {
+namespace {
+
+// All that its encoder read; of a blind set, which has nothing else, in test runs.
+std::vector<double> anglesOf(const LogSet& set, const std::string& joint) {
+  std::vector<double> seen, blind;
+  for (const LogRun& run : set.runs) {
+    const Column* q = run.find("q." + joint);
+    if (q == nullptr) continue;
+    std::vector<double>& angles = run.split == Split::Test ? blind : seen;
+    angles.insert(angles.end(), q->begin(), q->end());
+  }
+  return seen.empty() ? blind : seen;
+}
+
+}  // namespace
 
 RigSet::RigSet(const LogSet& set, std::shared_ptr<const RobotModel> model, RigOptions options)
     : model_(std::make_shared<RobotModel>(*model)), options_(options) {
@@ -73,13 +88,7 @@ void RigSet::layCounts(const LogSet& set) {
   for (const Joint joint : joints_) {
     const double quantum = presentDeviation(*model_, index(joint), kCounts, "quantum", catalogue());
     if (quantum <= 0) continue;
-    std::vector<double> angles;
-    for (const LogRun& run : set.runs) {
-      const Column* q = run.find("q." + model_->actuators[index(joint)].name);
-      if (q != nullptr && run.split != Split::Test)
-        angles.insert(angles.end(), q->begin(), q->end());
-    }
-    const double phase = findPhase(angles, quantum);
+    const double phase = findPhase(anglesOf(set, model_->actuators[index(joint)].name), quantum);
     if (phase != 0) beside.push_back({kCounts, {{"quantum", 0}, {"phase", phase}}, {joint}, ""});
   }
   model_->effects = mergedEffects(*model_, beside, catalogue());

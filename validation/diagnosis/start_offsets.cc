@@ -9,7 +9,7 @@ namespace nao::validation {
 namespace {
 
 // SDs that a mean of starts may be off. Two are passed by chance in one of twenty motions, so in
-// one of three sets of seven.
+// more than one of four sets of seven.
 constexpr double kFurthest = 3;
 
 }  // namespace

@@ -12,8 +12,8 @@ Eigen::VectorXd rateBetweenSamples(const Eigen::VectorXd& course, double dt);
 
 /// Runs of one motion, each moved in time to where it is nearest to `reference`: when a run began
 /// is known to `start_sd` [s] only, and is fitted wherever two means are compared. One by one runs
-/// may have begun at any moment, their mean within three of its own SDs: a delay that all share is no
-/// chance. First signals only, as long as the reference; `dt` [s] apart.
+/// may have begun at any moment, their mean within three of its own SDs: a delay that all share is
+/// no chance. First signals only, as long as the reference; `dt` [s] apart.
 std::vector<Eigen::MatrixXd> startedAlike(std::vector<Eigen::MatrixXd> runs,
                                           const Eigen::VectorXd& reference, double dt,
                                           double start_sd);

@@ -93,9 +93,8 @@ double findQuantum(std::vector<double> values) {
 }
 
 double findPhase(const std::vector<double>& values, double quantum) {
-  constexpr double kTogether =
-      0.98;                       // of unit vectors that chance leaves at 1 / sqrt(their number)
-  constexpr double kNone = 1e-3;  // of a count: rounding of decimals
+  constexpr double kTogether = 0.98;  // sum of unit vectors over their number; by chance about 0
+  constexpr double kNone = 1e-3;      // of a count: rounding of decimals
   std::complex<double> sum = 0;
   double count = 0;
   for (const double value : values) {

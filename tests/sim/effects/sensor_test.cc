@@ -70,14 +70,14 @@ TEST(SensorDelay, ShiftsWhatIsReported) {
   }
 }
 
-// A cubic between samples is off by (3/128) h^4 q'''' at most, with the latest sample lacking by
-// h^3 q''' / 16.
+// A cubic between samples is off by 3/128 h^4 q'''' at most; a parabola, where the latest sample
+// lacks, by h^3 q''' / (9 sqrt(3)).
 TEST(SensorDelay, FollowsAnglesThatBend) {
   const auto swing = [](double t) { return 0.3 * std::sin(10 * t); };
   for (const double delay : {0.004, 0.013, 0.025}) {
     const auto angles = reported({effect("sensor_delay", {{"delay", delay}})}, 50, swing);
-    const double most = delay < kCycle ? 0.3 * 1e3 * std::pow(kCycle, 3) / 15
-                                       : 0.3 * 1e4 * std::pow(kCycle, 4) * 3 / 120;
+    const double most = delay < kCycle ? 0.3 * 1e3 * std::pow(kCycle, 3) / (9 * std::sqrt(3.0))
+                                       : 0.3 * 1e4 * std::pow(kCycle, 4) * 3 / 128;
     for (std::size_t i = 6; i < angles.size(); ++i) {
       ASSERT_NEAR(angles[i], swing(static_cast<double>(i) * kCycle - delay), most) << delay;
     }
