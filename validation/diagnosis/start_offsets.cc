@@ -14,12 +14,24 @@ constexpr double kFurthest = 3;
 
 }  // namespace
 
+// Of a cubic spline: r[i-1] + 4 r[i] + r[i+1] = 3 (y[i+1] - y[i-1]) / dt, solved forth and back
+// from what three samples say at both ends. A joint that starts and stops bends between samples: of
+// 20 Hz, halves of differences over two samples miss a quarter, this 1.5 %.
 Eigen::VectorXd rateBetweenSamples(const Eigen::VectorXd& course, double dt) {
+  const Eigen::Index last = course.size() - 1;
   Eigen::VectorXd rate = Eigen::VectorXd::Zero(course.size());
-  const Eigen::Index inner = course.size() - 2;
-  if (inner > 0) {
-    rate.segment(1, inner) = (course.tail(inner) - course.head(inner)) / (2 * dt);
+  if (last < 2) return rate;
+  const auto& y = course;
+  rate[0] = (4 * y[1] - 3 * y[0] - y[2]) / (2 * dt);
+  rate[last] = (3 * y[last] + y[last - 2] - 4 * y[last - 1]) / (2 * dt);
+  Eigen::VectorXd carried = Eigen::VectorXd::Zero(course.size());
+  for (Eigen::Index i = 1; i < last; ++i) {
+    const double pivot = 4 - carried[i - 1];
+    carried[i] = 1 / pivot;
+    rate[i] = (3 * (y[i + 1] - y[i - 1]) / dt - rate[i - 1]) / pivot;
   }
+  for (Eigen::Index i = last - 1; i > 0; --i) rate[i] -= carried[i] * rate[i + 1];
+  rate[0] = rate[last] = 0;
   return rate;
 }
 

@@ -6,8 +6,8 @@
 
 namespace nao::validation {
 
-/// Rate of a course of samples `dt` [s] apart, by the two beside each; 0 at both ends. What a late
-/// start looks like; rateOf() is smoother.
+/// Rate of a course of samples `dt` [s] apart, of a cubic spline through them; 0 at both ends. What
+/// a late start looks like; rateOf() is smoother.
 Eigen::VectorXd rateBetweenSamples(const Eigen::VectorXd& course, double dt);
 
 /// Runs of one motion, each moved in time to where it is nearest to `reference`: when a run began

@@ -43,6 +43,20 @@ TEST(StartOffsets, OneMotionOfASetMayHaveBegunLateByChance) {
   EXPECT_LT(error(runs, 0), 4e-6);
 }
 
+// 20 Hz are five samples a period.
+TEST(StartOffsets, RateOfAJointThatJumpsIsKnownBetweenSamples) {
+  const double turn = 2 * M_PI * 20;  // [rad/s]
+  Eigen::VectorXd angle(600), exact(600);
+  for (Eigen::Index i = 0; i < angle.size(); ++i) {
+    angle[i] = 0.01 * std::sin(turn * static_cast<double>(i) * kDt);
+    exact[i] = 0.01 * turn * std::cos(turn * static_cast<double>(i) * kDt);
+  }
+  const Eigen::VectorXd rate = rateBetweenSamples(angle, kDt);
+  EXPECT_LT((rate - exact).segment(10, 580).cwiseAbs().maxCoeff(), 0.02 * 0.01 * turn);
+  EXPECT_EQ(rate[0], 0);
+  EXPECT_EQ(rate[599], 0);
+}
+
 TEST(StartOffsets, AreNoneWhereNothingMovesOrStartsAreExact) {
   const Eigen::VectorXd rest = Eigen::VectorXd::Constant(600, 0.2);
   const std::vector<Eigen::MatrixXd> runs{course(2e-3)};
