@@ -25,8 +25,9 @@ class Slopes {
   // Chance fades as a difference widens: one that steepens has gone beyond where the joint moves as
   // it does here.
   void set(const FreeNumber& number, bool stop, double& x, Eigen::Index column) {
-    const double part = stop ? 0 : kPart * std::abs(x);
-    double width = within(number, x, std::max(number.smallest, part));
+    const double part = kPart * std::abs(x);
+    const double wished = stop ? std::min(number.smallest, part) : std::max(number.smallest, part);
+    double width = within(number, x, wished);
     if (width <= 0) return;
     setSlope(fit_, column, slope(x, width));
     while (chance(column) > kChance) {

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "core/random.h"
 #include "sim/effects/catalogue.h"
@@ -21,65 +23,78 @@ Eigen::VectorXd drag(Eigen::Index rows) {
   return course;
 }
 
-// Damping drags it along; beyond a cliff it moves a hundred times as far. Runs of different damping
-// part ways by chance.
-class CliffJoint final : public JointSimulator {
+// Moves as a law says of one number; runs of different numbers part ways by chance.
+class LawJoint final : public JointSimulator {
  public:
-  CliffJoint() {
+  LawJoint(std::string parameter, double number, double chance, std::function<double(double)> law)
+      : parameter_(std::move(parameter)), chance_(chance), law_(std::move(law)) {
     measured_ = {{"fit", Split::Fit, 0.01, {}}, {"select", Split::Select, 0.01, {}}};
     for (JointMotion& motion : measured_) {
-      for (std::uint64_t r = 0; r < 6; ++r) motion.repeats.push_back(angle(kDamping, 1000 + r));
+      for (std::uint64_t r = 0; r < 6; ++r) motion.repeats.push_back(angle(number, 1000 + r));
     }
   }
 
-  std::string joint() const override { return "Cliff"; }
+  std::string joint() const override { return "Law"; }
   const std::vector<JointMotion>& measured() const override { return measured_; }
   Eigen::MatrixXd run(const std::vector<EffectSetting>& causes, std::size_t motion,
                       std::uint64_t stream, const JointNoise&) const override {
-    double damping = 0;
-    for (const EffectSetting& cause : causes) damping += cause.parameters.at("coefficient");
-    return angle(damping, 10 * stream + motion);
+    double number = 0;
+    for (const EffectSetting& cause : causes) number += cause.parameters.at(parameter_);
+    return angle(number, 10 * stream + motion);
   }
 
  private:
-  static Eigen::MatrixXd angle(double damping, std::uint64_t stream) {
-    Random random(stream, std::to_string(damping));
-    Eigen::MatrixXd angle = kDrag * (damping > kCliff ? 100 : 1) * damping * drag(300);
-    for (Eigen::Index k = 0; k < angle.rows(); ++k) angle(k, 0) += 4e-3 * random.normal();
+  Eigen::MatrixXd angle(double number, std::uint64_t stream) const {
+    Random random(stream, std::to_string(number));
+    Eigen::MatrixXd angle = law_(number) * drag(300);
+    for (Eigen::Index k = 0; k < angle.rows(); ++k) angle(k, 0) += chance_ * random.normal();
     return angle;
   }
 
+  std::string parameter_;
+  double chance_;
+  std::function<double(double)> law_;
   std::vector<JointMotion> measured_;
 };
 
-Cause dampingOf(const JointSimulator& joint) {
+// Of a model of this cause alone, along drag().
+double slopeAt(const JointSimulator& joint, const std::string& id, std::vector<double> x) {
+  std::vector<Cause> causes;
   for (const Cause& cause : jointCauses()) {
-    if (cause.id == "viscous_friction") return boundedAt(cause, joint, sim::standardEffects());
+    if (cause.id == id) causes.push_back(boundedAt(cause, joint, sim::standardEffects()));
   }
-  return {};
+  const JointData data(joint, kNoNoise);
+  Ensemble ensemble(joint, data, kNoNoise, 1000000);
+  const Effort effort;
+  ModelFit fit;
+  fit.model = {{0, x}};
+  fit.jacobian = fit.chance =
+      Eigen::MatrixXd::Zero(data.size(), static_cast<Eigen::Index>(x.size()));
+  const Stage stage(ensemble, data, causes, fit.model, fit.jacobian, effort);
+  setExactSlopes(ensemble, causes, effort.slope_runs, stage, fit);
+  const Eigen::VectorXd course = drag(300);
+  return fit.jacobian.col(0).head(300).dot(course) / course.squaredNorm();
 }
 
 // Within 0.0064 or 0.0192 a difference is mostly chance, but half the number leads over the cliff,
 // where the slope is 150 times as steep. A friction near standstill of 1.4 N m was told as 1.3994
 // to 1.4000 by such a one.
 TEST(ExactSlopes, AreNotWidenedOverACliff) {
-  const CliffJoint joint;
-  const std::vector<Cause> causes{dampingOf(joint)};
-  const JointData data(joint, kNoNoise);
-  Ensemble ensemble(joint, data, kNoNoise, 1000000);
-  const Effort effort;
-  const CauseList model{{0, {kDamping}}};
-  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(data.size(), 1);
-  const Stage stage(ensemble, data, causes, model, none, effort);
-  ModelFit fit;
-  fit.model = model;
-  fit.jacobian = fit.chance = none;
-  setExactSlopes(ensemble, causes, effort.slope_runs, stage, fit);
-  const Eigen::VectorXd course = drag(300);
-  const double slope = fit.jacobian.col(0).head(300).dot(course) / course.squaredNorm();
+  const LawJoint joint("coefficient", kDamping, 4e-3, [](double damping) {
+    return kDrag * (damping > kCliff ? 100 : 1) * damping;
+  });
   // [rad] SD of a mean of four runs to either side, over twice the narrowest step.
-  const double sd = 4e-3 / std::sqrt(4.0) * std::sqrt(2.0) / (2 * 0.0064) / course.norm();
-  EXPECT_NEAR(slope, kDrag, 4 * sd);
+  const double sd = 4e-3 / std::sqrt(4.0) * std::sqrt(2.0) / (2 * 0.0064) / drag(300).norm();
+  EXPECT_NEAR(slopeAt(joint, "viscous_friction", {kDamping}), kDrag, 4 * sd);
+}
+
+// A stop that moves by 0.14 rad/rad is reached from 0.11 on. A difference as wide as the size of
+// interest, 0.05 to either side, took the way there for half of it: intervals of coupled stops held
+// one truth of four.
+TEST(ExactSlopes, OfACoupledStopDoNotReachBeyondWhereItIsMet) {
+  const LawJoint joint("upper", 0.14, 1e-6,
+                       [](double slope) { return 0.1 * std::max(0.0, slope - 0.11); });
+  EXPECT_NEAR(slopeAt(joint, "coupled_stop.upper", {0.14, 0}), 0.1, 1e-3);
 }
 
 }  // namespace
