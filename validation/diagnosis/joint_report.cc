@@ -51,15 +51,17 @@ void addDisagreement(const JointData& data, const Stage& stage, const ModelFit& 
 }
 
 // A joint that rests reads one count all along, at a stop in motion after motion: rounding is one
-// error there, not one per sample. Where between two counts it rests nobody knows, nor where a
-// model does that reads the same: of both sawteeth, smeared by how the joint shakes, the phase is
-// drawn.
+// error there, not one per sample. How far it is from one place of rest to the next, `angle` tells,
+// a prediction that no encoder rounds; where between two counts any of them lies nobody knows, nor
+// where a model's does that reads the same: of both sawteeth, smeared by how the joint shakes, the
+// phase is drawn.
 void addRounding(const JointData& data, const Stage& stage, const ModelFit& fit,
-                 Eigen::MatrixXd& moves) {
-  if (data.quantum() <= 0) return;
-  const Eigen::ArrayXd count = stage.predicted().array() / data.quantum();
-  const Eigen::ArrayXd shake = stage.scatter().array() / data.quantum();
-  const Eigen::ArrayXd of_angle = data.quantum() * (data.rounding().array() > 0).cast<double>();
+                 const Eigen::VectorXd& angle, Eigen::MatrixXd& moves) {
+  const Eigen::Index size = data.fitSize();
+  const Eigen::ArrayXd count = angle.head(size).array() / data.quantum();
+  const Eigen::ArrayXd shake = stage.scatter().head(size).array() / data.quantum();
+  const Eigen::ArrayXd of_angle =
+      data.quantum() * (data.rounding().head(size).array() > 0).cast<double>();
   const SlopeSteps steps = stepsOf(fit, stage);
   for (int k = 1; k <= kHarmonics; ++k) {
     const double turn = 2 * M_PI * k;
@@ -128,7 +130,11 @@ void JointSearch::describe(JointVerdict& verdict) {
     // What has no name pulls at the numbers as noise of its size would.
     moves *= std::max(1.0, misfit(*stage_, left_));
     addDisagreement(data_, *stage_, fit_, left_, moves);
-    addRounding(data_, *stage_, fit_, moves);
+    if (data_.quantum() > 0) {
+      const Halves angle =
+          ensemble_.exactHalves(settingsOf(causes_, fit_.model), effort_.slope_runs, Over::Fit);
+      addRounding(data_, *stage_, fit_, angle.mean(), moves);
+    }
   }
   addSpread(causes_, fit_.model, moves);
   Eigen::Index column = 0;

@@ -307,6 +307,25 @@ TEST(JointSearch, IntervalsOfAStopAllowForWhatItsEncoderReads) {
   EXPECT_GE(held, 8) << "of " << kPlaces;
 }
 
+// Six places of rest are rounded each in its own way; were they one, half a count of a spring of
+// 22 N m/rad would be 17 mN m to either side. Taken for one, as a prediction that is rounded itself
+// lies on whole counts everywhere, they told the torque to 16 mN m.
+TEST(JointSearch, IntervalsTakeEveryPlaceOfRestForItself) {
+  ToyLaws laws;
+  laws.bias = 0.15;
+  JointNoise quiet = test::kToyNoise;
+  quiet.torque_sd /= 5;
+  const test::ToyJoint toy(laws, 1, quiet, 6, 3);
+  JointSearch search(toy, quiet, test::toyCauses(), quick(), 1000000);
+  search.begin();
+  const JointVerdict verdict = search.conclude({});
+  ASSERT_EQ(verdict.named().size(), 1u);
+  const FoundNumber& bias = verdict.findings[0].numbers[0];
+  EXPECT_LT(bias.low, 0.15);
+  EXPECT_GT(bias.high, 0.15);
+  EXPECT_LT(bias.high - bias.low, 0.012);
+}
+
 TEST(JointSearch, AdjustsNothingBesideWhatHasNoName) {
   EXPECT_TRUE(diagnose(deadServo(), without({"servo_deadband"})).adjustments.empty());
 }
