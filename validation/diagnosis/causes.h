@@ -68,6 +68,7 @@ struct Cause {
   /// none.
   double smallest_mean = 0;
   bool spread_beyond = false;  // so do the joints that this one carries, and it feels them
+  bool of_link = false;        // of what hangs on the joint: all joints that carry the link feel it
   std::string sentence;        // for the report, "{joint}" and "{value}" filled in
   std::string separate;        // the experiment that tells it from its rivals
 

@@ -4,6 +4,7 @@
 
 #include "validation/diagnosis/joint_crowd.h"
 #include "validation/diagnosis/shared_cause.h"
+#include "validation/diagnosis/shared_link.h"
 
 namespace nao::validation {
 namespace {
@@ -22,10 +23,28 @@ SharedFinding describe(const SharedCause& shared, const std::vector<Cause>& caus
   found.finding.numbers = {numberOf(cause, shared.x, shared.low, shared.high)};
   found.finding.experiment = cause.separate;
   found.finding.sentence = cause.fill("every joint", valueText(found.finding.numbers[0]));
-  for (const auto& [rival, x] : shared.rivals) {
-    found.finding.rivals.push_back({causes[rival].id, {numberOf(causes[rival], x, x, x)}, 0});
+  for (const auto& [rival, x, place] : shared.rivals) {
+    const std::string where = place.empty() ? "" : " at " + place;
+    found.finding.rivals.push_back(
+        {causes[rival].id + where, {numberOf(causes[rival], x, x, x)}, 0});
   }
   return found;
+}
+
+// What several joints share. Where the link of one explains the same better than one gravity for
+// all, that is given to those that carry it, and nothing is shared.
+std::optional<SharedCause> findShared(JointCrowd& joints, const std::vector<JointTask>& tasks,
+                                      double critical) {
+  std::optional<SharedCause> shared = findShared(joints, critical);
+  if (!shared || !joints.causes()[shared->cause].one_for_all) return shared;
+  const std::optional<SharedLink> link = findLink(joints, critical);
+  if (!link || link->gain < shared->gain - critical) return shared;
+  if (link->gain <= shared->gain + critical) {
+    shared->rivals.push_back({link->cause, link->x[0], tasks[link->joint].joint->joint()});
+    return shared;
+  }
+  joints.giveLink(link->joint, link->cause, link->x, shared->cause);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -46,7 +65,7 @@ SetDiagnosis diagnoseJoints(const std::vector<JointTask>& tasks, const std::vect
   JointCrowd joints(tasks, causes, options);
   joints.begin();
   result.critical_gain = quantile(joints.largestNulls().gains, 1 - options.effort.false_alarms);
-  const auto shared = findShared(joints, result.critical_gain);
+  const auto shared = findShared(joints, tasks, result.critical_gain);
   if (shared) {
     result.shared.push_back(describe(*shared, joints.causes()));
     joints.give(shared->cause, shared->x);

@@ -189,14 +189,17 @@ void addLoad(std::vector<Cause>& all) {
                               "inertia", {0, -1}),  // from 1, as of a link that is denser all over
                        0.02));
   all.back().spread_beyond = true;
+  all.back().of_link = true;
   for (const char* axis : {"x", "y", "z"}) {
     // [m] Far off, a light link's mass turns as a larger inertia to either side.
     all.push_back(part("link_com", axis, {0.02, 0.1, -0.1},
                        "the link on {joint} has its mass off by {value}",
                        "slow motion in two orientations of the base"));
+    all.back().of_link = true;
   }
   all.push_back(one("payload", "mass", {0.2, 1.0}, "{joint}'s link carries {value}",
                     "slow and fast motion, the load at two places"));
+  all.back().of_link = true;
   all.push_back(forAll(one("gravity_scale", "scale", {0.2, -0.2},
                            "gravity acts on {joint} with {value} of nominal",
                            "slow and fast motion: mass has inertia")));

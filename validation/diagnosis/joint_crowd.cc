@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 
 #include "validation/diagnosis/ensemble_tape.h"
 #include "validation/diagnosis/packed.h"
@@ -20,22 +21,27 @@ bool isStart(const Cause& cause, double x) {
 JointLooks looksOf(const JointSearch& search) {
   const Stage& stage = search.stage();
   const Eigen::VectorXd white = stage.white(stage.raw());
-  JointLooks looks{search.nulls(), stage.largestGain(white), white.squaredNorm(), {}};
+  JointLooks looks{search.nulls(), stage.largestGain(white), white.squaredNorm(), {}, {}};
+  std::map<std::size_t, LinkLook> links;
   for (const Look& look : stage.looks()) {
     const Cause& cause = search.causes()[look.cause];
+    double scale = 0;
+    const double gain = cause.of_link ? Stage::gain(look, white, &scale) : 0;
+    LinkLook& link = links[look.cause];
+    if (gain > link.gain) {
+      link = {look.cause, look.x, gain};
+      link.x[0] *= scale;
+    }
     if (cause.scope != Scope::Robot || look.x.size() != 1) continue;
     const Explained explained(look.white, white);
     looks.shared.push_back({look.cause, look.x[0],
                             !cause.scan.empty() && !isStart(cause, look.x[0]), explained.along(),
                             explained.square(), explained.gain(), look.lower, look.upper});
   }
+  for (const auto& [cause, link] : links) {
+    if (link.gain > 0) looks.links.push_back(link);
+  }
   return looks;
-}
-
-std::string named(const std::string& question, std::size_t cause, double x) {
-  char text[96];
-  std::snprintf(text, sizeof text, "%s-%zu-%a", question.c_str(), cause, x);
-  return text;
 }
 
 // Of an unknown number of runs, when about `usual` are to be expected.
@@ -47,7 +53,7 @@ double partOf(double runs, double usual) {
 
 JointCrowd::JointCrowd(const std::vector<JointTask>& tasks, const std::vector<Cause>& causes,
                        const DiagnosisOptions& options)
-    : options_(options), done_(tasks.size()) {
+    : tasks_(tasks), causes_(causes), options_(options), done_(tasks.size()) {
   for (const JointTask& task : tasks) {
     searches_.push_back(std::make_unique<JointSearch>(*task.joint, task.noise, causes,
                                                       options.effort, options.runs_per_joint));
@@ -55,6 +61,17 @@ JointCrowd::JointCrowd(const std::vector<JointTask>& tasks, const std::vector<Ca
 }
 
 JointCrowd::~JointCrowd() = default;
+
+std::string JointCrowd::questionOf(const std::string& what, std::size_t cause,
+                                   const std::vector<double>& x) {
+  std::string question = what + '-' + std::to_string(cause);
+  for (const double number : x) {
+    char text[32];
+    std::snprintf(text, sizeof text, "-%a", number);
+    question += text;
+  }
+  return question;
+}
 
 std::string JointCrowd::unitOf(std::size_t joint, const std::string& question) const {
   return searches_[joint]->name() + "." + question;
@@ -141,13 +158,26 @@ OtherJoints JointCrowd::allBut(std::size_t joint) const {
 }
 
 std::vector<double> JointCrowd::gainsAt(std::size_t cause, double x) {
-  step_ = "trying causes that all joints share";
-  const std::string question = named("cost", cause, x);
+  return gainsOf(questionOf("cost", cause, {x}),
+                 [&](std::size_t j) { return -searches_[j]->costOf(cause, {x}); });
+}
+
+std::vector<double> JointCrowd::gainsAt(std::size_t cause, const std::vector<double>& x,
+                                        std::size_t link) {
+  const std::vector<Joint> place = tasks_[link].joint->place();
+  return gainsOf(questionOf("link" + std::to_string(link), cause, x), [&](std::size_t j) {
+    return j == link || carries(j, link) ? -searches_[j]->costOf(cause, x, place) : 0;
+  });
+}
+
+std::vector<double> JointCrowd::gainsOf(const std::string& question,
+                                        const std::function<double(std::size_t)>& gain) {
+  step_ = "trying causes that several joints share";
   const auto answers = ask(question, [&](std::size_t j) {
-    double gain = 0;
-    taped(j, question, [&] { gain = -searches_[j]->costOf(cause, x); });
+    double gained = 0;
+    taped(j, question, [&] { gained = gain(j); });
     tell();
-    return pack(gain);
+    return pack(gained);
   });
   std::vector<double> gains;
   for (const std::string& answer : answers) gains.push_back(unpack<double>(answer));
@@ -155,7 +185,7 @@ std::vector<double> JointCrowd::gainsAt(std::size_t cause, double x) {
 }
 
 std::vector<SharedStep> JointCrowd::stepsFrom(std::size_t cause, double x) {
-  const std::string question = named("step", cause, x);
+  const std::string question = questionOf("step", cause, {x});
   const auto answers = ask(question, [&](std::size_t j) {
     SharedStep step;
     taped(j, question, [&] { step = searches_[j]->stepFrom(cause, x); });
@@ -168,7 +198,7 @@ std::vector<SharedStep> JointCrowd::stepsFrom(std::size_t cause, double x) {
 }
 
 std::vector<double> JointCrowd::beatingSizesOf(std::size_t joint, std::size_t cause) {
-  const std::string question = named("beat", cause, 0);
+  const std::string question = questionOf("beat", cause, {});
   const auto answers = ask(question, [&](std::size_t j) {
     std::vector<double> sizes;
     if (j == joint) taped(j, question, [&] { sizes = searches_[j]->beatingSizesOf(cause); });
@@ -178,22 +208,26 @@ std::vector<double> JointCrowd::beatingSizesOf(std::size_t joint, std::size_t ca
 }
 
 void JointCrowd::give(std::size_t cause, double x) {
-  lookAnew(named("given", cause, x), [&](std::size_t j) { searches_[j]->give(cause, x); });
+  lookAnew(questionOf("given", cause, {x}), [&](std::size_t j) { searches_[j]->give(cause, x); });
 }
 
 std::vector<JointVerdict> JointCrowd::conclude() {
   step_ = "searching every joint";
   tell();
   const auto answers = ask("verdict", [&](std::size_t j) {
-    return options_.kept.remember(unitOf(j, "verdict"), [&] {
-      JointVerdict verdict;
-      watched(j, kRestRuns, done_[j].rest, [&] { verdict = searches_[j]->conclude(allBut(j)); });
-      return pack(verdict);
-    });
+    return options_.kept.remember(unitOf(j, "verdict"), [&] { return pack(concludeOne(j)); });
   });
   std::vector<JointVerdict> verdicts;
   for (const std::string& answer : answers) verdicts.push_back(unpack<JointVerdict>(answer));
+  searchAbove(verdicts);
   return verdicts;
+}
+
+JointVerdict JointCrowd::concludeOne(std::size_t joint) {
+  JointVerdict verdict;
+  watched(joint, kRestRuns, done_[joint].rest,
+          [&] { verdict = searches_[joint]->conclude(allBut(joint)); });
+  return verdict;
 }
 
 }  // namespace nao::validation

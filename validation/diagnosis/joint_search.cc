@@ -63,7 +63,9 @@ JointSearch::JointSearch(const JointSimulator& joint, const JointNoise& noise,
   }
 }
 
-void JointSearch::begin() {
+void JointSearch::begin(const Beside& beside) {
+  ensemble_.setGiven(beside.effects);
+  given_ = beside.ruled_out;
   enter(stageOf({}, Eigen::MatrixXd(data_.size(), 0)));
   misfit_before_ = misfit(*stage_, stage_->raw());
   split_ratio_ = splitRatio();
@@ -81,11 +83,14 @@ void JointSearch::give(std::size_t cause, double x) {
   enter(stageOf({}, Eigen::MatrixXd(data_.size(), 0)));
 }
 
-double JointSearch::costOf(std::size_t cause, double x) {
+double JointSearch::costOf(std::size_t cause, const std::vector<double>& x,
+                           const std::vector<Joint>& place) {
+  EffectSetting setting = settingOf(causes_[cause], x);
+  setting.joints = place;
   const auto halves = [&](const std::vector<EffectSetting>& causes) {
     return ensemble_.halves(causes, effort_.final_runs, Over::Fit);
   };
-  const Halves change = halves({sharedSetting(cause, x)}) - halves({});
+  const Halves change = halves({setting}) - halves({});
   return -Explained(stage_->white(change), stage_->white(stage_->raw())).gain();
 }
 

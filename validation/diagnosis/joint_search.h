@@ -44,6 +44,12 @@ struct OtherJoints {
   double costOf(std::size_t cause, double x) const;
 };
 
+/// What other joints' searches say before one begins.
+struct Beside {
+  std::vector<EffectSetting> effects;  // that act elsewhere and are felt here: taken for given
+  std::vector<std::size_t> ruled_out;  // causes that are not tried
+};
+
 /// What one joint says of a number that all joints share, by whitened squares: its least lies at
 /// along / square from here, in null sets at nulls / square.
 struct SharedStep {
@@ -59,12 +65,14 @@ class JointSearch {
   JointSearch(const JointSimulator& joint, const JointNoise& noise, std::vector<Cause> causes,
               const Effort& effort, long granted_runs);
 
-  void begin();
+  void begin(const Beside& beside = {});
   /// Takes a cause for given, with this number, and looks anew: what all joints share.
   void give(std::size_t cause, double x);
   /// Half the squares of the fit motions' residual with this number given, less that without: what
-  /// one number for all joints would cost or save here [nats]. By ensembles of final_runs.
-  double costOf(std::size_t cause, double x);
+  /// one number for all joints would cost or save here [nats], or, of another `place`, one for
+  /// these. By ensembles of final_runs.
+  double costOf(std::size_t cause, const std::vector<double>& x,
+                const std::vector<Joint>& place = {});
   /// By exact runs: coarse steps are off by as much as a message takes. Before give().
   SharedStep stepFrom(std::size_t cause, double x);
   /// Sizes that this joint proposes for a cause that beats.

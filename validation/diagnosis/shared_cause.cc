@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "validation/diagnosis/beat_search.h"
+#include "validation/diagnosis/shared_fit.h"
 
 namespace nao::validation {
 namespace {
@@ -55,79 +57,29 @@ std::vector<SharedLook> sharedLooks(const JointCrowd& joints) {
 }
 
 double sum(const std::vector<double>& values) {
-  double total = 0;
-  for (const double value : values) total += value;
-  return total;
+  return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-// One number for all joints; remembers what every number gains.
-class SharedFit {
- public:
-  SharedFit(JointCrowd& joints, const SharedLook& look)
-      : joints_(joints), look_(look), number_(joints.causes()[look.cause].free[0]) {}
+SharedFit fitOf(JointCrowd& joints, std::size_t cause) {
+  const FreeNumber& number = joints.causes()[cause].free[0];
+  return {[&joints, cause](double x) { return joints.gainsAt(cause, x); }, number.lower,
+          number.upper};
+}
 
-  // Narrows a bracket of three numbers around the best by parabolas.
-  void narrow() {
-    double centre = look_.scale() * look_.x, width = 0.3 * std::abs(centre);
-    for (int round = 0; round < 3 && width > 0; ++round, width *= 0.35) {
-      const double low = gainAt(centre - width), mid = gainAt(centre),
-                   high = gainAt(centre + width), bend = low - 2 * mid + high;
-      const double move =
-          bend < 0 ? (low - high) / (2 * bend) * width : (high > low ? width : -width);
-      centre += std::clamp(move, -2 * width, 2 * width);
-    }
-    gainAt(centre);
-  }
-
-  // To the best of these sizes, then as finely as all joints can tell.
-  void beat(const std::vector<double>& sizes, const JointData& data) {
-    for (const double x : sizes) gainAt(x);
-    double width = beatWidth(data, bestNumber());
-    for (int round = 0; round < 5; ++round, width /= 2) {
-      const double centre = bestNumber();
-      gainAt(centre - width);
-      gainAt(centre + width);
-    }
-  }
-
-  SharedCause best(double critical) const {
-    SharedCause best;
-    best.cause = look_.cause;
-    best.x = bestNumber();
-    const std::vector<double>& gains = tried_.at(best.x);
-    best.gain = std::max(0.0, sum(gains));
-    best.joints = static_cast<int>(
-        std::count_if(gains.begin(), gains.end(), [&](double g) { return g > critical; }));
-    return best;
-  }
-
- private:
-  double gainAt(double x) {
-    x = std::clamp(x, number_.lower, number_.upper);
-    auto found = tried_.find(x);
-    if (found == tried_.end()) {
-      found = tried_.emplace(x, joints_.gainsAt(look_.cause, x)).first;
-    }
-    return sum(found->second);
-  }
-
-  double bestNumber() const {
-    const auto best = std::max_element(
-        tried_.begin(), tried_.end(),
-        [](const auto& a, const auto& b) { return sum(a.second) < sum(b.second); });
-    return best->first;
-  }
-
-  JointCrowd& joints_;
-  const SharedLook& look_;
-  const FreeNumber& number_;
-  std::map<double, std::vector<double>> tried_;  // by number: of each joint
-};
+SharedCause bestOf(const SharedFit& fit, std::size_t cause, double critical) {
+  SharedCause best;
+  best.cause = cause;
+  best.x = fit.best();
+  best.gain = std::max(0.0, sum(fit.gains()));
+  best.joints = static_cast<int>(std::count_if(fit.gains().begin(), fit.gains().end(),
+                                               [&](double gain) { return gain > critical; }));
+  return best;
+}
 
 SharedCause fitShared(JointCrowd& joints, const SharedLook& look, double critical) {
-  SharedFit fit(joints, look);
-  fit.narrow();
-  return fit.best(critical);
+  SharedFit fit = fitOf(joints, look.cause);
+  fit.narrow(look.scale() * look.x);
+  return bestOf(fit, look.cause, critical);
 }
 
 // Clocks that beat with that of the log: the joint that is furthest off proposes sizes.
@@ -141,11 +93,10 @@ void addBeats(JointCrowd& joints, double critical, std::vector<SharedCause>& fit
     if (!causes[c].beats || causes[c].scope != Scope::Robot) continue;
     const std::vector<double> sizes = joints.beatingSizesOf(worst, c);
     if (sizes.empty()) continue;
-    SharedLook look;
-    look.cause = c;
-    SharedFit fit(joints, look);
-    fit.beat(sizes, joints.data(worst));
-    fits.push_back(fit.best(critical));
+    SharedFit fit = fitOf(joints, c);
+    fit.tryAll(sizes);
+    fit.halve(beatWidth(joints.data(worst), fit.best()));
+    fits.push_back(bestOf(fit, c, critical));
   }
 }
 
@@ -216,7 +167,7 @@ std::optional<SharedCause> findShared(JointCrowd& joints, double critical) {
   for (std::size_t i = 1; i < fits.size(); ++i) {
     if (fits[i].cause == best.cause) continue;
     if (fits[i].gain >= best.gain - std::max(critical, kSame * best.gain)) {
-      best.rivals.emplace_back(fits[i].cause, fits[i].x);
+      best.rivals.push_back({fits[i].cause, fits[i].x, ""});
     }
   }
   refine(joints, best);

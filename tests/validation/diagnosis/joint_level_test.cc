@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "core/check.h"
@@ -20,9 +21,9 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-// One joint that turns for two seconds, hung up.
+// Joints that turn for two seconds, hung up.
 LogSet record(const std::string& robot, const std::vector<EffectSetting>& hidden,
-              std::uint64_t seed, const std::string& joint = "HeadYaw") {
+              std::uint64_t seed, const std::vector<std::string>& joints = {"HeadYaw"}) {
   RecordingPlan plan;
   plan.model = std::make_shared<RobotModel>(suspend(*test::robot("nao_h21_v33")));
   plan.extra = plan.model->noise;
@@ -30,7 +31,7 @@ LogSet record(const std::string& robot, const std::vector<EffectSetting>& hidden
   plan.motions = standardRecording(plan.model);
   plan.motions.resize(2);
   for (RecordedMotion& motion : plan.motions) motion.duration = 2;
-  plan.joints = {joint};
+  plan.joints = joints;
   moveOnly(plan.joints, plan.model, plan.motions);
   plan.repeats = 3;
   plan.start_sd = 0.001;
@@ -107,18 +108,56 @@ TEST(JointLevel, AHeavyBallTiedToALightLinkIsMass) {
   const Vec3& at = arm.p_BoBcm;
   const EffectSetting ball{
       "payload", {{"mass", 3}, {"x", at.x()}, {"y", at.y()}, {"z", at.z()}}, {shoulder}, ""};
-  const auto found = diagnose(record("7", {ball}, 5, "RShoulderRoll"), quick()).found;
+  const auto found = diagnose(record("7", {ball}, 5, {"RShoulderRoll"}), quick()).found;
   ASSERT_EQ(found.joints[0].named().size(), 1u);
   const Finding& mass = *found.joints[0].named()[0];
   EXPECT_EQ(mass.cause, "link_mass");
   EXPECT_NEAR(mass.numbers[0].deviation, 3 / arm.mass, 0.05 * 3 / arm.mass);
 }
 
+const JointVerdict& of(const std::string& joint, const SetDiagnosis& found) {
+  return *std::find_if(found.joints.begin(), found.joints.end(),
+                       [&](const JointVerdict& one) { return one.joint == joint; });
+}
+
+// All that hangs on an ankle's pitch is the foot, near enough: to both joints more of it is what
+// more gravity would be, but for its inertia. Two such sets were told as gravity.
+TEST(JointLevel, AHeavyFootIsNoOtherGravity) {
+  const Joint roll = *test::robot("nao_h21_v33")->findJoint("LAnkleRoll");
+  const EffectSetting heavy{"link_mass", {{"part", 5}}, {roll}, ""};
+  const SetDiagnosis found =
+      diagnose(record("7", {heavy}, 5, {"LAnkleRoll", "LAnklePitch"}), quick()).found;
+  EXPECT_TRUE(found.shared.empty());
+  EXPECT_TRUE(of("LAnklePitch", found).named().empty());
+  ASSERT_EQ(of("LAnkleRoll", found).named().size(), 1u);
+  const Finding& mass = *of("LAnkleRoll", found).named()[0];
+  EXPECT_EQ(mass.cause, "link_mass");
+  EXPECT_LT(mass.numbers[0].low, 5);
+  EXPECT_GT(mass.numbers[0].high, 5);
+}
+
+// The joint that carries a link feels where its mass is, too, and was told to have a fault of its
+// own.
+TEST(JointLevel, WhereALinksMassLiesIsToldAtItsOwnJointAlone) {
+  const Joint roll = *test::robot("nao_h21_v33")->findJoint("LAnkleRoll");
+  const EffectSetting high{"link_com", {{"z", 0.15}}, {roll}, ""};
+  const SetDiagnosis found =
+      diagnose(record("7", {high}, 6, {"LAnkleRoll", "LAnklePitch"}), quick()).found;
+  ASSERT_EQ(of("LAnkleRoll", found).named().size(), 1u);
+  EXPECT_EQ(of("LAnkleRoll", found).named()[0]->cause, "link_com.z");
+  const JointVerdict& pitch = of("LAnklePitch", found);
+  EXPECT_EQ(pitch.verdict, Verdict::NoDiscrepancy);
+  EXPECT_GT(pitch.misfit_before, 1.3 * pitch.misfit_after);
+  EXPECT_TRUE(std::any_of(pitch.rejected.begin(), pitch.rejected.end(), [](const Rejected& one) {
+    return one.reason.find("a link that the joint carries") != std::string::npos;
+  }));
+}
+
 // A hip's link of 0.07 kg, of which a look at 0.02 m sees nothing: it was told as a torque.
 TEST(JointLevel, AMassThatLiesFarOffInALightLinkIsNoTorque) {
   const EffectSetting far{
       "link_com", {{"x", 0.2}}, {*test::robot("nao_h21_v33")->findJoint("LHipYawPitch")}, ""};
-  const auto found = diagnose(record("9", {far}, 5, "LHipYawPitch"), quick()).found;
+  const auto found = diagnose(record("9", {far}, 5, {"LHipYawPitch"}), quick()).found;
   ASSERT_EQ(found.joints[0].named().size(), 1u);
   const Finding& told = *found.joints[0].named()[0];
   EXPECT_EQ(told.cause, "link_com.x");
@@ -131,7 +170,7 @@ TEST(JointLevel, AFrictionOneWayThatCreepsIsToldAlone) {
                                {{"torque", 0.2}, {"creep", 0.005}},
                                {*test::robot("nao_h21_v33")->findJoint("RElbowYaw")},
                                ""};
-  const auto found = diagnose(record("8", {friction}, 5, "RElbowYaw"), quick()).found;
+  const auto found = diagnose(record("8", {friction}, 5, {"RElbowYaw"}), quick()).found;
   EXPECT_EQ(found.joints[0].verdict, Verdict::Named);
   ASSERT_EQ(found.joints[0].named().size(), 1u);
   const Finding& told = *found.joints[0].named()[0];
