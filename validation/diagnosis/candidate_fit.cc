@@ -14,7 +14,8 @@ namespace {
 constexpr double kNearlyAsGood = 0.7;  // of the best start's gain: free choice
 // Of a size: what another look makes of it; beyond, its cause is not linear that far. Free choice.
 constexpr double kAlike = 0.5;
-constexpr double kKept = 0.5;  // of what is promised: less, and it misleads
+constexpr double kKept = 0.5;     // of what is promised: less, and it misleads
+constexpr double kAsTried = 0.8;  // of what the size itself was seen to gain
 
 // Finite differences as wide as the size of interest: less matters to nobody.
 double stepOf(const FreeNumber& number) {
@@ -171,7 +172,7 @@ ModelFit fitFully(Ensemble& ensemble, const JointData& data, const Stage& stage,
       const ModelFit small = fitSmall(ensemble, stage, causes, *look, effort);
       const double ratio = small.model.back().x[0] / added.x[0];
       const bool same = ratio > kAlike && ratio < 1 / kAlike;
-      if (same && small.gain > kKept * promised) return small;
+      if (same && small.gain > kAsTried * promised) return small;
     }
   }
   FitSpace space;

@@ -10,9 +10,10 @@
 namespace nao::validation {
 namespace {
 
-constexpr double kWorthFitting = 0.7;  // of the threshold: what a look must promise
-constexpr double kHopeless = 0.03;     // of the best look's gain: less never becomes the best fit
-constexpr double kClose = 0.06;        // of the best quick gain: fitted fully as well
+constexpr double kWorthFitting = 0.7;   // of the threshold: what a look must promise
+constexpr double kHopeless = 0.03;      // of the best look's gain: less never becomes the best fit
+constexpr double kClose = 0.06;         // of the best quick gain: fitted fully as well
+constexpr double kCloseIfShaped = 0.2;  // where only one of several numbers was fitted so far
 constexpr std::size_t kWeighed = 3;
 constexpr double kSame = 0.03;             // of the gain: rivals within it are not told apart
 constexpr double kSameByExactRuns = 0.01;  // where both were weighed
@@ -125,10 +126,11 @@ void Candidates::addTwins(const Stage& stage, std::vector<Candidate>& ranking) {
 void Candidates::fitFinalists(const Stage& stage, double critical, int most,
                               std::vector<Candidate>& ranking) {
   const double best = ranking.empty() ? 0 : ranking.front().gain;
-  const double reach = std::max(2 * critical, kClose * best);
-  for (int i = 0; i < most && i < static_cast<int>(ranking.size()); ++i) {
-    Candidate& candidate = ranking[static_cast<std::size_t>(i)];
-    if (candidate.gain < best - reach || ensemble_.spent()) break;
+  int fitted = 0;
+  for (Candidate& candidate : ranking) {
+    const double close = candidate.x.size() > 1 ? kCloseIfShaped : kClose;
+    if (candidate.gain < best - std::max(2 * critical, close * best)) continue;
+    if (fitted++ == most || ensemble_.spent()) break;
     fitFinally(stage, candidate);
   }
   sortBest(ranking);
