@@ -51,8 +51,8 @@ double longestRun(const JointSimulator& joint) {
   return longest;
 }
 
-// [rad] that the joint turned through in all motions that may be fitted.
-double rangeOf(const JointSimulator& joint) {
+// [rad] where the joint was in all motions that may be fitted, lowest and highest.
+std::pair<double, double> turnedThrough(const JointSimulator& joint) {
   double least = kFar, most = -kFar;
   for (const JointMotion& motion : joint.measured()) {
     for (const Eigen::MatrixXd& run : motion.repeats) {
@@ -61,12 +61,25 @@ double rangeOf(const JointSimulator& joint) {
       most = std::max(most, run.col(0).maxCoeff());
     }
   }
-  return most - least;
+  return {least, most};
+}
+
+// A joint that met a stop went no further, but for its motor, which is what the encoder reads, by
+// half the gear's play. Sizes a few milliradians less do nothing, as many more cut off what was
+// measured.
+void startAtMeasuredEnd(FreeNumber& number, const JointSimulator& joint) {
+  const auto [least, most] = turnedThrough(joint);
+  const auto [lower, upper] = joint.range();
+  const double play = joint.present("backlash", "width") / 2;
+  const double moved = number.parameter == "lower" ? least + play - lower : most - play - upper;
+  if (std::abs(moved) < number.smallest || moved < number.lower || moved > number.upper) return;
+  number.starts.push_back(moved);
 }
 
 // A ripple of less than a whole period is told by nothing from any other law of the angle.
 void withWholePeriod(FreeNumber& per_turn, const JointSimulator& joint) {
-  const double least = 2 * M_PI / std::max(rangeOf(joint), 1e-6);
+  const auto [from, to] = turnedThrough(joint);
+  const double least = 2 * M_PI / std::max(to - from, 1e-6);
   per_turn.lower = std::max(per_turn.lower, least - per_turn.neutral);
 }
 
@@ -107,6 +120,7 @@ Cause boundedAt(const Cause& cause, const JointSimulator& joint,
       if (cause.effect == "cogging" && p.name == "per_turn") withWholePeriod(number, joint);
     }
   }
+  if (cause.effect == "joint_stop") startAtMeasuredEnd(bounded.free[0], joint);
   if (cause.effect == "encoder_quantum") startAtMeasuredQuantum(bounded.free[0], joint);
   if (cause.smallest_mean > 0) {
     bounded.free[0].smallest = 2 * cause.smallest_mean / longestRun(joint);

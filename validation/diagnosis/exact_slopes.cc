@@ -7,6 +7,7 @@ namespace nao::validation {
 namespace {
 
 constexpr double kPart = 0.08;   // of a number: free choice
+constexpr double kStop = 0.25;   // of a stop's size of interest: a joint meets it within that
 constexpr double kWidest = 0.5;  // of it, where less shows mostly chance
 constexpr double kWider = 3;
 constexpr double kChance = 0.1;  // of a slope's squares
@@ -26,7 +27,8 @@ class Slopes {
   // it does here.
   void set(const FreeNumber& number, bool stop, double& x, Eigen::Index column) {
     const double part = kPart * std::abs(x);
-    const double wished = stop ? std::min(number.smallest, part) : std::max(number.smallest, part);
+    const double wished =
+        stop ? std::min(kStop * number.smallest, part) : std::max(number.smallest, part);
     double width = within(number, x, wished);
     if (width <= 0) return;
     setSlope(fit_, column, slope(x, width));

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -86,6 +88,12 @@ class JointSimulator {
   /// Whether another joint limits this one in the model: else a limit that moves with another joint
   /// is not tried here, as it is a stop like any other to a joint alone.
   virtual bool isCoupled() const { return true; }
+
+  /// The joint's own mechanical stops in the model [rad]: lowest and highest angle.
+  virtual std::pair<double, double> range() const {
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    return {-kNone, kNone};
+  }
 
   /// How far from neutral the model's own effect of that name already is at this joint.
   virtual double present(const std::string& /*effect*/, const std::string& /*parameter*/) const {

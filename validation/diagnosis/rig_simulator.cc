@@ -185,6 +185,12 @@ bool RigSimulator::isCoupled() const {
                      [this](const CoupledLimit& limit) { return limit.limited == joint_; });
 }
 
+std::pair<double, double> RigSimulator::range() const {
+  const int first = set_->model().actuators[index(joint_)].coordinates.front();
+  const Coordinate& hinge = set_->model().coordinates[static_cast<std::size_t>(first)];
+  return {hinge.lower, hinge.upper};
+}
+
 double RigSimulator::present(const std::string& effect, const std::string& parameter) const {
   return presentDeviation(set_->model(), index(joint_), effect, parameter, set_->catalogue());
 }

@@ -307,6 +307,27 @@ TEST(JointSearch, IntervalsOfAStopAllowForWhatItsEncoderReads) {
   EXPECT_GE(held, 8) << "of " << kPlaces;
 }
 
+// Of a stop that a joint goes only 5 mrad into a row of sizes a tenth apart has none that helps:
+// 0.46 rad at a hip were unknown, over and over. The joint itself went no further.
+TEST(JointSearch, AStopThatIsHardlyMetIsWhereTheJointWentTo) {
+  std::vector<Cause> causes = test::toyCauses();
+  for (const Cause& cause : jointCauses()) {
+    if (cause.id == "joint_stop.lower") causes.push_back(cause);
+  }
+  ToyLaws free;
+  const test::ToyJoint toy(free, 1, test::kToyNoise, 6, 3);
+  double least = 0;
+  for (const JointMotion& motion : toy.measured()) {
+    if (motion.split == Split::Fit) least = std::min(least, motion.repeats[0].col(0).minCoeff());
+  }
+  ToyLaws laws;
+  laws.stop = least + 0.005;
+  const JointVerdict verdict = diagnose(laws, causes);
+  ASSERT_EQ(verdict.named().size(), 1u);
+  ASSERT_EQ(verdict.findings[0].cause, "joint_stop.lower");
+  EXPECT_NEAR(verdict.findings[0].numbers[0].deviation, laws.stop - free.stop, 0.002);
+}
+
 // Six places of rest are rounded each in its own way; were they one, half a count of a spring of
 // 22 N m/rad would be 17 mN m to either side. Taken for one, as a prediction that is rounded itself
 // lies on whole counts everywhere, they told the torque to 16 mN m.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -251,6 +252,9 @@ class ToyJoint final : public JointSimulator {
     laws.sent = sent_;
     for (const EffectSetting& cause : causes) laws.set(cause.name, cause.parameters);
     return ToyRun(laws, motion, RunDraw{}, {}).led(angle, misread);
+  }
+  std::pair<double, double> range() const override {
+    return {ToyLaws().stop, std::numeric_limits<double>::infinity()};
   }
   double present(const std::string& effect, const std::string& /*parameter*/) const override {
     const ToyLaws laws;
