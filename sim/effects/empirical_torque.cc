@@ -1,6 +1,8 @@
 // A torque that data showed and no law explains: a sum of features of the joint's own motion,
 //   T = constant + v v + v_square v|v| + q q + sin_q sin q + cos_q cos q + t t
-//     + (sign + q_sign q + sign_sin sin(ripple q) + sign_cos cos(ripple q)) sgn v
+//     + (sign + q_sign q + sign_sin sin(ripple q) + sign_cos cos(ripple q)
+//        + spot exp(-((q - spot_angle) / spot_width)^2)
+//        + band exp(-((|v| - band_speed) / band_width)^2)) sgn v
 //     + ripple_sin sin(ripple q) + ripple_cos cos(ripple q)
 //     + hum_sin sin(2 pi hum t) + hum_cos cos(2 pi hum t)
 //     + (e + t_e t) e + abs_e |e|
@@ -29,7 +31,7 @@ class EmpiricalTorque final : public Effect {
       const double t = toSeconds(moment.time), e = moment.command[j] - q;
       terms.disturbance[j] += push(q, t) + (c("e") + c("t_e") * t) * e + c("abs_e") * std::abs(e);
       addDamping(c("v") + c("v_square") * std::abs(v), v, terms, j);
-      addSign(dry(q), v, terms, j);
+      addSign(dry(q, v), v, terms, j);
     }
   }
 
@@ -44,9 +46,12 @@ class EmpiricalTorque final : public Effect {
            c("hum_cos") * std::cos(2 * M_PI * c("hum") * t);
   }
 
-  double dry(double q) const {
+  double dry(double q, double v) const {
+    const double spot = (q - c("spot_angle")) / c("spot_width");
+    const double band = (std::abs(v) - c("band_speed")) / c("band_width");
     return c("sign") + c("q_sign") * q + c("sign_sin") * std::sin(c("ripple") * q) +
-           c("sign_cos") * std::cos(c("ripple") * q);
+           c("sign_cos") * std::cos(c("ripple") * q) + c("spot") * std::exp(-spot * spot) +
+           c("band") * std::exp(-band * band);
   }
 
   static void addDamping(double rise, double v, DriveTerms& terms, std::size_t j) {
@@ -83,6 +88,12 @@ EffectType empiricalTorque() {
            {"q_sign", "N m/rad", 0, 0, -50, 50, 0.01},
            {"sign_sin", "N m", 0, 0, -50, 50, 0.01},
            {"sign_cos", "N m", 0, 0, -50, 50, 0.01},
+           {"spot", "N m", 0, 0, -50, 50, 0.01},
+           {"spot_angle", "rad", 0, 0, -4, 4, 0.02},
+           {"spot_width", "rad", 0.12, 0.12, 0.02, 1, 0.02},
+           {"band", "N m", 0, 0, -50, 50, 0.01},
+           {"band_speed", "rad/s", 1, 1, 0.01, 20, 0.02},
+           {"band_width", "rad/s", 0.3, 0.3, 0.01, 5, 0.02},
            {"ripple", "1/rad", 12, 12, 1, 200, 0.1},
            {"ripple_sin", "N m", 0, 0, -50, 50, 0.01},
            {"ripple_cos", "N m", 0, 0, -50, 50, 0.01},

@@ -191,15 +191,17 @@ std::vector<Hideout> likenessHideouts() {
 }
 
 std::vector<Hideout> strangerHideouts() {
+  const std::vector<std::string> by_place{"sgn v", "q sgn v", "sgn v with sin and cos of",
+                                          "sgn v near q ="};
   return known({
-      stranger("hidden_rough_patch", 0.15, 3, {"sgn v", "q sgn v", "sgn v with sin and cos of"}),
+      stranger("hidden_rough_patch", 0.15, 3, by_place),
       stranger("hidden_quadratic_drag", 0.05, 5, {"v|v|"}),
       stranger("hidden_periodic_torque", 0.15, 3, {"1.6 Hz", "1.7 Hz", "1.8 Hz"}),
-      stranger("hidden_sticky_spot", 0.5, 5, {"sgn v", "q sgn v", "sgn v with sin and cos of"}),
+      stranger("hidden_sticky_spot", 0.5, 5, by_place),
       stranger("hidden_detent", 0.3, 5, {"q", "sin and cos of"}),
       stranger("hidden_torque_step", 0.2, 3, {"t", "1"}),
       stranger("hidden_hardening_spring", 1, 30, {"q", "sin and cos of"}),
-      stranger("hidden_speed_band", 0.3, 5, {"sgn v", "v", "v|v|"}),
+      stranger("hidden_speed_band", 0.3, 5, {"sgn v", "v", "v|v|", "sgn v near |v| ="}),
       stranger("hidden_pulsing_friction", 0.3, 5, {"sgn v"}),
       stranger("hidden_one_sided_gain", 0.4, 5, {"e", "|e|"}),
       stranger("hidden_drifting_gain", 0.15, 5, {"t e"}),

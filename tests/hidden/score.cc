@@ -81,14 +81,14 @@ void scorePair(const Truth& truth, const GivenReport& report, Score& score) {
 }
 
 // A signature reads "sgn v (41 %), then q (12 %)". Features that begin a word of many ("sin and cos
-// of 8 q") are given by their beginning.
+// of 8 q", "sgn v near q = 0.3") are given by their beginning.
 bool isInFirstTwo(const std::string& signature, const HiddenTruth& hidden) {
   std::size_t begin = 0;
   for (int term = 0; term < 2 && begin < signature.size(); ++term) {
     const std::size_t end = std::min(signature.find(", then ", begin), signature.size());
     const std::string name = signature.substr(begin, signature.rfind(" (", end) - begin);
     for (const std::string& feature : hidden.features) {
-      const bool family = feature.find(" of") != std::string::npos;
+      const bool family = feature.find(" of") != std::string::npos || feature.back() == '=';
       if (name == feature || (family && name.rfind(feature, 0) == 0)) return true;
       if (feature.find("Hz") != std::string::npos && name.find(feature) != std::string::npos) {
         return true;

@@ -15,6 +15,8 @@ namespace {
 constexpr int kRuns = 8;         // simulated per motion, where there are repeats
 constexpr double kAround = 0.6;  // [1/rad] that a ripple may be from the whole number it is told by
 constexpr double kAroundHz = 0.1;
+constexpr double kAroundSpot = 0.1;                    // [rad]
+constexpr double kAroundBand = 0.3, kBandWidth = 0.3;  // of a speed
 
 // "q sgn v (62 %), then v|v| (5 %)" -> "q sgn v", "v|v|"
 std::vector<std::string> featuresIn(std::string text) {
@@ -49,6 +51,14 @@ std::vector<FreeNumber> numbersFor(const std::string& feature, const sim::Effect
   if (std::sscanf(feature.c_str(), "sgn v with sin and cos of %lf q", &at) == 1) {
     return {number("sign", 0), number("sign_sin", 0), number("sign_cos", 0),
             number("ripple", at - neutralOf("ripple"), kAround)};
+  }
+  if (std::sscanf(feature.c_str(), "sgn v near q = %lf", &at) == 1) {
+    return {number("spot", 0), number("spot_angle", at - neutralOf("spot_angle"), kAroundSpot),
+            number("spot_width", 0)};
+  }
+  if (std::sscanf(feature.c_str(), "sgn v near |v| = %lf", &at) == 1) {
+    return {number("band", 0), number("band_speed", at - neutralOf("band_speed"), kAroundBand * at),
+            number("band_width", kBandWidth * at - neutralOf("band_width"))};
   }
   if (std::sscanf(feature.c_str(), "sin and cos of %lf q", &at) == 1) {
     return {number("ripple_sin", 0), number("ripple_cos", 0),

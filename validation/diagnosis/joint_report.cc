@@ -228,14 +228,15 @@ void JointSearch::judge(JointVerdict& verdict) {
 }
 
 // Where what was found explains but a part, it more likely stands in for one of the unknown: all is
-// the remainder then.
+// the remainder then. So it is where what several of them leave has no shape.
 Signature JointSearch::remainingShape(const JointVerdict& verdict) const {
   const auto excess = [](double misfit) { return misfit * misfit - 1; };
   const bool mostly = excess(verdict.misfit_after) <= (1 - kMostly) * excess(verdict.misfit_before);
   if (nominal_ && !mostly) return signatureOf(joint_, data_, *nominal_, {});
   std::vector<EffectSetting> model = ensemble_.given();
   for (const EffectSetting& one : settingsOf(causes_, stage_->model())) model.push_back(one);
-  return signatureOf(joint_, data_, *stage_, model);
+  const Signature left = signatureOf(joint_, data_, *stage_, model);
+  return left.terms.empty() && nominal_ ? signatureOf(joint_, data_, *nominal_, {}) : left;
 }
 
 // What is left, in SDs of what null sets leave.

@@ -11,6 +11,14 @@ constexpr int kLastPatch = 16;                     // of a friction's
 constexpr int kLastEccentric = 12;                 // of an encoder's error
 constexpr int kFirstHum = 5, kLastHum = 100;       // [0.1 Hz]
 constexpr double kSlow = 0.05;                     // [rad/s] below which the sign of v fades
+constexpr int kLastSpot = 22;                      // [0.1 rad] either way
+constexpr double kSpot = 0.12;                     // [rad] its width
+constexpr int kBands = 11;                         // of speed, from the first on,
+constexpr double kFirstBand = 0.15, kNextBand = 1.4, kBand = 0.3;  // [rad/s], times, its width
+
+double bell(double x) { return std::exp(-x * x); }
+
+double bandSpeed(int i) { return kFirstBand * std::pow(kNextBand, i); }
 
 struct Moment {
   double q, v, a, t, e;  // angle, rate, second rate, time, what the servo is off by
@@ -50,6 +58,7 @@ TorqueFeatures::TorqueFeatures() {
     std::snprintf(text, sizeof text, "sgn v with sin and cos of %d q", n);
     add(text, 3);
   }
+  addDryPlaces();
   for (int f = kFirstHum; f <= kLastHum; ++f) {
     std::snprintf(text, sizeof text, "sin and cos of %.1f Hz", 0.1 * f);
     add(text, 2);
@@ -60,6 +69,19 @@ TorqueFeatures::TorqueFeatures() {
     add(text, 2);
   }
   misreadings_ = columns_ - torques;
+}
+
+// Friction near an angle, and near a speed.
+void TorqueFeatures::addDryPlaces() {
+  char text[40];
+  for (int n = -kLastSpot; n <= kLastSpot; ++n) {
+    std::snprintf(text, sizeof text, "sgn v near q = %.1f", 0.1 * n);
+    add(text, 1);
+  }
+  for (int i = 0; i < kBands; ++i) {
+    std::snprintf(text, sizeof text, "sgn v near |v| = %.2f", bandSpeed(i));
+    add(text, 1);
+  }
 }
 
 Eigen::VectorXd TorqueFeatures::misreading(Eigen::Index i, const Eigen::VectorXd& angle) const {
@@ -91,6 +113,13 @@ Eigen::MatrixXd TorqueFeatures::along(const Eigen::MatrixXd& motion, const Eigen
       for (const double part : {1.0, std::sin(n * q), std::cos(n * q)}) {
         all(i, at++) = part * sign(moment.v);
       }
+    }
+    for (int n = -kLastSpot; n <= kLastSpot; ++n) {
+      all(i, at++) = bell((q - 0.1 * n) / kSpot) * sign(moment.v);
+    }
+    for (int b = 0; b < kBands; ++b) {
+      const double off = (std::abs(moment.v) - bandSpeed(b)) / (kBand * bandSpeed(b));
+      all(i, at++) = bell(off) * sign(moment.v);
     }
     for (int f = kFirstHum; f <= kLastHum; ++f) wave(0.2 * M_PI * f * t);
   }

@@ -34,6 +34,7 @@ class TorqueFeatures {
 
  private:
   void add(const std::string& name, Eigen::Index columns);
+  void addDryPlaces();
 
   std::vector<Feature> features_;
   Eigen::Index columns_ = 0, misreadings_ = 0;

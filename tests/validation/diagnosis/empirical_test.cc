@@ -18,11 +18,11 @@ std::shared_ptr<RobotModel> pendulum() {
   return model;
 }
 
-// Two runs each of three motions, with a ripple in the torque that no cause stands for.
-LogSet rippledSet(double torque) {
+// Three motions, with a torque that no cause stands for.
+LogSet recorded(const EffectSetting& torque) {
   RecordingPlan plan;
   plan.model = pendulum();
-  plan.extra = {{"cogging", {{"torque", torque}, {"per_turn", 6}, {"phase", 0.3}}, {}, ""}};
+  plan.extra = {torque};
   plan.repeats = 1;
   plan.step = std::chrono::milliseconds(1);
   for (const auto& [name, pace, split] :
@@ -43,14 +43,35 @@ double testError(const LogSet& set, const std::vector<EffectSetting>& extra) {
   return replayJoint(*prepared.joints[0].simulator, {}, JointNoise{}, 2, {Split::Test}).rmse;
 }
 
-TEST(Empirical, ATorqueWithoutANameIsPredictedWhereItWasNotFitted) {
-  const LogSet set = rippledSet(0.05);
+EmpiricalFit fitTo(const LogSet& set, const std::vector<std::string>& features) {
   const PreparedSet prepared = prepareSet(set, pendulum(), 1);
-  EmpiricalFit fit = fitEmpirical(prepared.joints[0], {"sin and cos of 6 q", "a"});
+  EmpiricalFit fit = fitEmpirical(prepared.joints[0], features);
+  fit.setting.joints = {toJoint(0)};
+  return fit;
+}
+
+TEST(Empirical, ATorqueWithoutANameIsPredictedWhereItWasNotFitted) {
+  const LogSet set =
+      recorded({"cogging", {{"torque", 0.05}, {"per_turn", 6}, {"phase", 0.3}}, {}, ""});
+  const EmpiricalFit fit = fitTo(set, {"sin and cos of 6 q", "a"});
   EXPECT_LT(fit.after, 0.3 * fit.before);
   EXPECT_EQ(fit.left_out, std::vector<std::string>{"a"});
-  fit.setting.joints = {toJoint(0)};
   EXPECT_LT(testError(set, {fit.setting}), 0.4 * testError(set, {}));
+}
+
+// Told 0.04 rad and a fifth of the speed beside where they are.
+TEST(Empirical, SoIsFrictionNearAnAngleAndNearASpeed) {
+  const LogSet spot = recorded(
+      {"empirical_torque", {{"constant", 0}, {"spot", -0.05}, {"spot_angle", 0.44}}, {}, ""});
+  EXPECT_LT(testError(spot, {fitTo(spot, {"sgn v near q = 0.4"}).setting}),
+            0.4 * testError(spot, {}));
+  const LogSet band =
+      recorded({"empirical_torque",
+                {{"constant", 0}, {"band", -0.15}, {"band_speed", 1.5}, {"band_width", 0.4}},
+                {},
+                ""});
+  EXPECT_LT(testError(band, {fitTo(band, {"sgn v near |v| = 1.20"}).setting}),
+            0.4 * testError(band, {}));
 }
 
 TEST(Empirical, ReadsTheSignaturesOfAReport) {

@@ -53,6 +53,19 @@ TEST(Signature, FindsAnEccentricEncoder) {
   EXPECT_EQ(signature(laws).rfind("misreading by sin and cos of 3 q", 0), 0u) << signature(laws);
 }
 
+TEST(Signature, FindsASpotThatSticks) {
+  ToyLaws laws;
+  laws.spot = 0.4;
+  EXPECT_EQ(signature(laws).rfind("sgn v near q = 0.3", 0), 0u) << signature(laws);
+}
+
+TEST(Signature, FindsASpeedAtWhichAGearBrakes) {
+  ToyLaws laws;
+  laws.band = 0.3;
+  const std::string found = signature(laws);  // speeds of the library: 0.82 is the nearest
+  EXPECT_EQ(found.rfind("sgn v near |v| = 0.", 0), 0u) << found;
+}
+
 TEST(Signature, FindsNothingWhereNothingIs) { EXPECT_EQ(signature({}), ""); }
 
 }  // namespace

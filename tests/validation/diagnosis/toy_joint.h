@@ -30,7 +30,8 @@ struct ToyLaws {
   double stop = -0.9;  // [rad] where it gets no lower
   // No cause of the catalogue below:
   double cogging = 0, cogs = 18, drag = 0, spring = 0, hum = 0, rise = 0, eccentric = 0;
-  double step = 0.002;  // [s]
+  double spot = 0, band = 0;  // friction near an angle of 0.3 and near a speed of 0.8
+  double step = 0.002;        // [s]
 
   void set(const std::string& effect, const std::map<std::string, double>& p);
 };
@@ -172,8 +173,8 @@ class ToyRun {
     const double smooth = weight + torque_ + motor + strange() + lead();
     double u = (u_ + h * (smooth) / inertia) / (1 + h * laws_.viscous / inertia);
     const double near = u_ / laws_.stribeck_speed;
-    const double dry =
-        laws_.coulomb + laws_.stribeck * std::exp(-near * near) + laws_.load * std::abs(weight);
+    const double dry = laws_.coulomb + laws_.stribeck * std::exp(-near * near) +
+                       laws_.load * std::abs(weight) + strangelyDry();
     const double budget =
         dry + (u > 0 ? std::max(0.0, laws_.asymmetry) : std::max(0.0, -laws_.asymmetry));
     u -= std::clamp(u, -h * budget / inertia, h * budget / inertia);
@@ -197,6 +198,11 @@ class ToyRun {
     const double torque = 450 * (lead_(row_, 0) - q_) + 5 * (lead_(row_, 1) - u_);
     led_by_ += torque;
     return torque;
+  }
+
+  double strangelyDry() const {
+    const double place = (q_ - 0.3) / 0.12, speed = (std::abs(u_) - 0.8) / 0.25;
+    return laws_.spot * std::exp(-place * place) + laws_.band * std::exp(-speed * speed);
   }
 
   double strange() const {
