@@ -1,5 +1,7 @@
 // Dry friction of motor and gear: |T_friction| <= torque, against the motion, or what holds still.
-// Source: Coulomb's law; the step's solve sticks within the budget (sim/geared_motor.h).
+// With `creep` it does not stick: |T| = torque tanh(|q'| / creep), so that a load turns the joint
+// slowly. Source: Coulomb's law; the step's solve sticks within the budget (sim/geared_motor.h).
+#include "sim/effects/creep.h"
 #include "sim/effects/effect.h"
 
 namespace nao::sim {
@@ -8,10 +10,14 @@ namespace {
 class CoulombFriction final : public Effect {
  public:
   explicit CoulombFriction(const EffectSetup& setup)
-      : joints_(setup.hinged()), torque_(setup.value("torque")) {}
+      : joints_(setup.hinged()), torque_(setup.value("torque")), creep_(setup.value("creep")) {}
 
-  void alterDrive(const DriveMoment&, DriveTerms& terms) override {
+  void alterDrive(const DriveMoment& moment, DriveTerms& terms) override {
     for (const std::size_t j : joints_) {
+      if (creep_ > 0) {
+        terms.viscous[j] += creepDamping(torque_, creep_, moment.rate[j]);
+        continue;
+      }
       terms.resist_forward[j] += torque_;
       terms.resist_backward[j] += torque_;
     }
@@ -20,6 +26,7 @@ class CoulombFriction final : public Effect {
  private:
   std::vector<std::size_t> joints_;
   double torque_;  // [N m]
+  double creep_;   // [rad/s]
 };
 
 }  // namespace
@@ -27,7 +34,7 @@ class CoulombFriction final : public Effect {
 EffectType coulombFriction() {
   return {"coulomb_friction",
           "Dry friction of the same size at every speed; the joint sticks below it.",
-          {{"torque", "N m", 0.05, 0, 0, 10, 0.005}},
+          {{"torque", "N m", 0.05, 0, 0, 10, 0.005}, {"creep", "rad/s", 0, 0, 0, 1, 0.001}},
           Acts::OnDrive,
           makeEffect<CoulombFriction>};
 }

@@ -3,8 +3,8 @@
 // tanh(|q'| / creep), so that a load turns the joint slowly. Source: uneven wear of gear and
 // brushes; free choice of form, so that it adds to every other friction.
 #include <algorithm>
-#include <cmath>
 
+#include "sim/effects/creep.h"
 #include "sim/effects/effect.h"
 
 namespace nao::sim {
@@ -18,7 +18,9 @@ class FrictionAsymmetry final : public Effect {
   void alterDrive(const DriveMoment& moment, DriveTerms& terms) override {
     for (const std::size_t j : joints_) {
       if (creep_ > 0) {
-        terms.viscous[j] += damping(moment.rate[j]);
+        if (moment.rate[j] * torque_ >= 0) {
+          terms.viscous[j] += creepDamping(torque_, creep_, moment.rate[j]);
+        }
         continue;
       }
       terms.resist_forward[j] += std::max(torque_, 0.0);
@@ -27,13 +29,6 @@ class FrictionAsymmetry final : public Effect {
   }
 
  private:
-  // [N m s/rad] at this rate; a joint that has not begun to move is held by half of it.
-  double damping(double rate) const {
-    if (rate == 0) return std::abs(torque_) / creep_ / 2;
-    if (rate * torque_ < 0) return 0;
-    return std::abs(torque_ * std::tanh(rate / creep_) / rate);
-  }
-
   std::vector<std::size_t> joints_;
   double torque_;  // [N m]
   double creep_;   // [rad/s]

@@ -71,9 +71,10 @@ Cause shaped(Cause cause, const std::string& parameter, std::vector<double> star
 }
 
 void addFriction(std::vector<Cause>& all) {
-  all.push_back(one("coulomb_friction", "torque", {0.1, 0.03, 0.3, -0.05},
-                    "{joint} has {value} of dry friction more than the model",
-                    "the same slow sweep with two loads and at two speeds"));
+  all.push_back(shaped(one("coulomb_friction", "torque", {0.1, 0.03, 0.3, -0.05},
+                           "{joint} has {value} of dry friction more than the model",
+                           "the same slow sweep with two loads and at two speeds"),
+                       "creep", {0, 0.01}));
   all.push_back(one("viscous_friction", "coefficient", {0.05, 0.3, -0.05},
                     "{joint} is damped by {value} more than the model",
                     "a fall with the motor switched off"));
@@ -263,8 +264,8 @@ const std::vector<Cause>& benchCauses() {
   static const std::vector<Cause> causes = [] {
     std::vector<Cause> all = jointCauses();
     for (Cause& cause : all) {
-      for (const char* id :
-           {"load_friction", "friction_asymmetry", "backlash", "gear_compliance"}) {
+      for (const char* id : {"coulomb_friction", "load_friction", "friction_asymmetry", "backlash",
+                             "gear_compliance"}) {
         if (cause.id == id) cause.free.resize(1);  // without repeats: no shape
       }
     }

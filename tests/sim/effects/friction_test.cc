@@ -177,5 +177,16 @@ TEST(FrictionAsymmetry, MayCreepInsteadOfSticking) {
   EXPECT_NEAR(rateOf(kCreep, -kTorque / 2) - rateOf(0, -kTorque / 2), free - first, 1e-9);
 }
 
+TEST(CoulombFriction, MayCreepInsteadOfSticking) {
+  constexpr double kTorque = 0.04, kCreep = 0.02;
+  for (const double way : {1.0, -1.0}) {
+    Rig rig(freeRod(kMass, kLength),
+            {effect("coulomb_friction", {{"torque", kTorque}, {"creep", kCreep}}),
+             effect("torque_bias", {{"torque", way * kTorque / 2}})});
+    rig.run(0.5);
+    EXPECT_NEAR(rig.rate(), way * kCreep * std::atanh(0.5), 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace nao::sim::test

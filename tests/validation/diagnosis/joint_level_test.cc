@@ -164,6 +164,21 @@ TEST(JointLevel, AMassThatLiesFarOffInALightLinkIsNoTorque) {
   EXPECT_NEAR(told.numbers[0].value, 0.2, 0.15 * 0.2);
 }
 
+// A gear whose friction has no kink: told as one that sticks, 4 to 14 % off beside a remainder, in
+// 66 to 155 s.
+TEST(JointLevel, AFrictionThatCreepsIsToldAlone) {
+  const EffectSetting friction{"coulomb_friction",
+                               {{"torque", 0.2}, {"creep", 0.005}},
+                               {*test::robot("nao_h21_v33")->findJoint("RElbowYaw")},
+                               ""};
+  const auto found = diagnose(record("8", {friction}, 5, {"RElbowYaw"}), quick()).found;
+  EXPECT_EQ(found.joints[0].verdict, Verdict::Named);
+  ASSERT_EQ(found.joints[0].named().size(), 1u);
+  const Finding& told = *found.joints[0].named()[0];
+  EXPECT_EQ(told.cause, "coulomb_friction");
+  EXPECT_NEAR(told.numbers[0].value, 0.2, 0.05 * 0.2);
+}
+
 // Told as a friction that sticks, beside three more causes and a remainder, in ten times the time.
 TEST(JointLevel, AFrictionOneWayThatCreepsIsToldAlone) {
   const EffectSetting friction{"friction_asymmetry",
