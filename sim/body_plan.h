@@ -23,6 +23,7 @@ struct BodyPlan {
         obstacles(world.obstacles),
         transmissions(nominal.jointCount()),
         servo_deadband(nominal.jointCount()),
+        servo_deadband_ease(nominal.jointCount()),
         duty_root(nominal.jointCount()),
         torque_part(nominal.jointCount(), 1.0),
         joint_zero(nominal.jointCount()) {}
@@ -33,12 +34,13 @@ struct BodyPlan {
   Vec3 ground_normal;  // of the plane through W's origin
   std::vector<Obstacle> obstacles;
   JointArray<Transmission> transmissions;
-  JointArray<double> servo_deadband;  // [rad] errors up to this move nothing
-  JointArray<double> duty_root;       // part of the duty that follows the root of the error
-  JointArray<double> torque_part;     // of the nominal one that the motor gives at most
-  JointArray<double> joint_zero;      // [rad] where the joint is when its encoder says 0
-  double linear_damping = 0;          // [1/s] a = -c v of every body
-  double angular_damping = 0;         // [1/s]
+  JointArray<double> servo_deadband;       // [rad] errors up to this move nothing
+  JointArray<double> servo_deadband_ease;  // part of it over which it ends; 0: at once
+  JointArray<double> duty_root;            // part of the duty that follows the root of the error
+  JointArray<double> torque_part;          // of the nominal one that the motor gives at most
+  JointArray<double> joint_zero;           // [rad] where the joint is when its encoder says 0
+  double linear_damping = 0;               // [1/s] a = -c v of every body
+  double angular_damping = 0;              // [1/s]
 };
 
 }  // namespace nao::sim

@@ -24,6 +24,7 @@ constexpr int kChanges = 2;  // of mind within one step, so that a step always e
 GearedMotor::GearedMotor(const BodyPlan& plan, std::size_t joint)
     : GearedMotor(plan.model.actuators[joint], plan.transmissions[joint]) {
   deadband_ = plan.servo_deadband[joint];
+  deadband_ease_ = plan.servo_deadband_ease[joint];
   duty_root_ = plan.duty_root[joint];
   torque_part_ = plan.torque_part[joint];
   zero_ = plan.joint_zero[joint];
@@ -75,11 +76,13 @@ void GearedMotor::prepareServo(const Input& input) {
   }
   double error = input.command - angle();
   double kp = kp_;
-  if (deadband_ > 0) {
+  if (deadband_ > 0 && deadband_ease_ > 0) {
+    error = easedError(error, kp);
+  } else if (deadband_ > 0) {
     if (std::abs(error) <= deadband_) kp = 0;
     error -= std::copysign(std::min(std::abs(error), deadband_), error);
   }
-  double torque = kp * error;
+  double torque = kp_ * error;  // kp: its slope
   if (duty_root_ > 0 && kp > 0) bendServo(error, torque, kp);
   servo_ = torque - (kp * h_ + kd_) * rate_;
   servo_change_ = kp * h_ + kd_;
@@ -87,6 +90,14 @@ void GearedMotor::prepareServo(const Input& input) {
   const double ratio = rate_ / (no_load_ * std::max(input.speed_part, 1e-3));
   limit_up_ = limit * std::clamp(1 - ratio, 0.0, 1.0);
   limit_down_ = limit * std::clamp(1 + ratio, 0.0, 1.0);
+}
+
+// A hyperbola between nothing and the line beyond the dead band, from 0 at 0 on.
+double GearedMotor::easedError(double error, double& slope) const {
+  const double off = std::abs(error) - deadband_, bend = deadband_ease_ * deadband_;
+  const double root = std::hypot(off, bend), first = std::hypot(deadband_, bend);
+  slope *= (1 + off / root) / 2;
+  return std::copysign((off + root - (first - deadband_)) / 2, error);
 }
 
 // A line up to the smallest duty, where the root has no slope; all of it beyond full duty.

@@ -68,6 +68,7 @@ class GearedMotor {
   GearedMotor(const Actuator& actuator, const Transmission& gear);
   enum class Grip : std::uint64_t { None, Stuck, Sliding };  // of friction; no padding
   void prepareServo(const Input& input);
+  double easedError(double error, double& slope) const;
   void bendServo(double error, double& torque, double& slope) const;
   void prepareFriction(const Input& input);
   void prepareGear(const Input& input);
@@ -82,7 +83,7 @@ class GearedMotor {
   double frictionChange() const;
 
   double kp_, kd_, stall_, efficiency_, no_load_, rotor_, hold_;
-  double deadband_ = 0, duty_root_ = 0, torque_part_ = 1, zero_ = 0;
+  double deadband_ = 0, deadband_ease_ = 0, duty_root_ = 0, torque_part_ = 1, zero_ = 0;
   bool soft_;
   double half_play_, stiffness_, damping_;
 

@@ -128,9 +128,10 @@ void addServo(std::vector<Cause>& all) {
                        0.02));
   all.push_back(one("integral_gain", "gain", {10, 40},
                     "{joint}'s servo integrates its error with {value}", "long holds under load"));
-  all.push_back(byGrid(one("servo_deadband", "width", {0.01, 0.004, 0.025},
-                           "{joint}'s servo ignores errors up to {value}",
-                           "slow small triangles under a load of either sign")));
+  all.push_back(byGrid(shaped(one("servo_deadband", "width", {0.01, 0.004, 0.025},
+                                  "{joint}'s servo ignores errors up to {value}",
+                                  "slow small triangles under a load of either sign"),
+                              "ease", {0, 1})));
   all.push_back(wholly(byGrid(one("duty_root", "part", {0.5, 1.0},
                                   "{joint}'s duty grows by {value} with the root of the error",
                                   "the same load at two gains"))));
@@ -264,8 +265,8 @@ const std::vector<Cause>& benchCauses() {
   static const std::vector<Cause> causes = [] {
     std::vector<Cause> all = jointCauses();
     for (Cause& cause : all) {
-      for (const char* id : {"coulomb_friction", "load_friction", "friction_asymmetry", "backlash",
-                             "gear_compliance"}) {
+      for (const char* id : {"servo_deadband", "coulomb_friction", "load_friction",
+                             "friction_asymmetry", "backlash", "gear_compliance"}) {
         if (cause.id == id) cause.free.resize(1);  // without repeats: no shape
       }
     }

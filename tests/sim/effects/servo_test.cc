@@ -53,6 +53,21 @@ TEST(ServoDeadband, LeavesARodAloneThatIsNearEnough) {
   EXPECT_DOUBLE_EQ(rig.angle(), 0.009);
 }
 
+// A hyperbola: with g = T / kp + g(no torque), g (g - (|e| - width)) = (ease width / 2)^2.
+TEST(ServoDeadband, MayEndWithoutAKink) {
+  constexpr double kWidth = 0.01, kEase = 0.5;
+  const EffectSetting eased = effect("servo_deadband", {{"width", kWidth}, {"ease", kEase}});
+  const double bend = kEase * kWidth, at_rest = (std::hypot(kWidth, bend) - kWidth) / 2;
+  for (const double pull : {0.01, 0.2, -0.2, 2.0}) {
+    const double error = sag({eased}, pull);
+    const double f = std::abs(pull) / kp() + at_rest, off = std::abs(error) - kWidth;
+    EXPECT_NEAR(f * (f - off), bend * bend / 4, 1e-9) << pull;
+    EXPECT_GT(error * pull, 0);
+  }
+  EXPECT_NEAR(sag({effect("servo_deadband", {{"width", kWidth}, {"ease", 1e-9}})}, 2),
+              2 / kp() + kWidth, 1e-6);
+}
+
 // d = kp e / T_max of the servo holds (1 - part) d + part sqrt(d) = pull / T_max.
 TEST(DutyRoot, HoldsALoadWithTheRootOfTheError) {
   for (const double pull : {0.2, -0.2, 2.0}) {

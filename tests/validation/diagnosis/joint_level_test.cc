@@ -179,6 +179,20 @@ TEST(JointLevel, AFrictionThatCreepsIsToldAlone) {
   EXPECT_NEAR(told.numbers[0].value, 0.2, 0.05 * 0.2);
 }
 
+// Told as one with a kink, beside further causes and a remainder of four times the noise, in 170 s.
+TEST(JointLevel, ADeadBandThatEndsSmoothlyIsToldAlone) {
+  const EffectSetting band{"servo_deadband",
+                           {{"width", 0.02}, {"ease", 0.6}},
+                           {*test::robot("nao_h21_v33")->findJoint("RElbowYaw")},
+                           ""};
+  const auto found = diagnose(record("8", {band}, 5, {"RElbowYaw"}), quick()).found;
+  EXPECT_EQ(found.joints[0].verdict, Verdict::Named);
+  ASSERT_EQ(found.joints[0].named().size(), 1u);
+  const Finding& told = *found.joints[0].named()[0];
+  EXPECT_EQ(told.cause, "servo_deadband");
+  EXPECT_NEAR(told.numbers[0].value, 0.02, 0.05 * 0.02);
+}
+
 // Told as a friction that sticks, beside three more causes and a remainder, in ten times the time.
 TEST(JointLevel, AFrictionOneWayThatCreepsIsToldAlone) {
   const EffectSetting friction{"friction_asymmetry",
