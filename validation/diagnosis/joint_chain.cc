@@ -78,12 +78,12 @@ std::vector<EffectSetting> JointCrowd::carriedBy(std::size_t joint,
 
 JointVerdict JointCrowd::searchedAnew(std::size_t joint,
                                       const std::vector<JointVerdict>& verdicts) {
-  const JointVerdict& before = verdicts[joint];
+  JointVerdict before = verdicts[joint];
   searches_[joint] = std::make_unique<JointSearch>(
       *tasks_[joint].joint, tasks_[joint].noise, causes_, options_.effort, options_.runs_per_joint);
   searches_[joint]->begin({carriedBy(joint, verdicts), {}});
-  JointVerdict now = concludeOne(joint);
-  now.runs += before.runs;
+  JointVerdict now = searches_[joint]->conclude(allBut(joint));
+  now.runs = before.runs += now.runs;
   if (now.misfit_before >= before.misfit_before) return before;
   now.misfit_before = before.misfit_before;
   tellWhatWentAway(before, now);

@@ -215,19 +215,16 @@ std::vector<JointVerdict> JointCrowd::conclude() {
   step_ = "searching every joint";
   tell();
   const auto answers = ask("verdict", [&](std::size_t j) {
-    return options_.kept.remember(unitOf(j, "verdict"), [&] { return pack(concludeOne(j)); });
+    return options_.kept.remember(unitOf(j, "verdict"), [&] {
+      JointVerdict verdict;
+      watched(j, kRestRuns, done_[j].rest, [&] { verdict = searches_[j]->conclude(allBut(j)); });
+      return pack(verdict);
+    });
   });
   std::vector<JointVerdict> verdicts;
   for (const std::string& answer : answers) verdicts.push_back(unpack<JointVerdict>(answer));
   searchAbove(verdicts);
   return verdicts;
-}
-
-JointVerdict JointCrowd::concludeOne(std::size_t joint) {
-  JointVerdict verdict;
-  watched(joint, kRestRuns, done_[joint].rest,
-          [&] { verdict = searches_[joint]->conclude(allBut(joint)); });
-  return verdict;
 }
 
 }  // namespace nao::validation

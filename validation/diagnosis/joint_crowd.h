@@ -82,7 +82,6 @@ class JointCrowd {
                                 const std::vector<double>& x);
   std::vector<double> gainsOf(const std::string& question,
                               const std::function<double(std::size_t)>& gain);
-  JointVerdict concludeOne(std::size_t joint);
   std::vector<EffectSetting> carriedBy(std::size_t joint,
                                        const std::vector<JointVerdict>& verdicts) const;
   JointVerdict searchedAnew(std::size_t joint, const std::vector<JointVerdict>& verdicts);
