@@ -39,13 +39,14 @@ const Ids kArmJoint{"encoder_offset", "kp_error", "coulomb_friction"};
 const Ids kHull{"coupled_stop.upper", "coupled_stop.lower"};
 const Ids kStops{"joint_stop.upper", "joint_stop.lower"};
 
-// How the weight of a heavier link is spread, what friction goes with, how a gear gives way: such
-// second numbers are left to the joint.
+// How the weight of a heavier link is spread, what friction goes with, how softly a gear gives way
+// or a dead band ends: such second numbers are left to the joint.
 const std::vector<Cause>& knownCauses() {
   static const std::vector<Cause> causes = [] {
     std::vector<Cause> all = jointCauses();
     for (Cause& cause : all) {
-      for (const char* id : {"link_mass", "load_friction", "backlash", "gear_compliance"}) {
+      for (const char* id : {"link_mass", "coulomb_friction", "load_friction", "servo_deadband",
+                             "backlash", "gear_compliance"}) {
         if (cause.id == id) cause.free.resize(1);
       }
     }

@@ -98,6 +98,17 @@ TEST(CauseList, HasTheCausesOfEveryLevel) {
   EXPECT_NE(showCause("ground_friction", *nao).find("tried on: robot"), std::string::npos);
 }
 
+// Second numbers double what there is to look at: only where a limb's stop begins is its own.
+TEST(CauseList, OfLimbsAndRobotsHasOneNumberEach) {
+  const auto nao = nao::test::robot("nao_h21_v33");
+  for (const char* level : {"limb", "robot"}) {
+    for (const ListedCause& one : listCauses(level, *nao)) {
+      const std::size_t numbers = one.cause.coupled ? 2 : 1;
+      EXPECT_EQ(one.cause.free.size(), numbers) << level << " " << one.cause.id;
+    }
+  }
+}
+
 TEST(CauseList, IsJsonToo) {
   const auto list = nlohmann::json::parse(toJson(listCauses("joint", *nao::test::robot("arm"))));
   ASSERT_EQ(list.size(), jointCauses().size());
