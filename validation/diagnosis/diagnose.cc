@@ -33,8 +33,9 @@ SharedFinding describe(const SharedCause& shared, const std::vector<Cause>& caus
 
 // What several joints share. Where the link of one explains the same better than one gravity for
 // all, that is given to those that carry it, and nothing is shared.
-std::optional<SharedCause> findShared(JointCrowd& joints, const std::vector<JointTask>& tasks,
-                                      double critical) {
+std::optional<SharedCause> sharedUnlessOfALink(JointCrowd& joints,
+                                               const std::vector<JointTask>& tasks,
+                                               double critical) {
   std::optional<SharedCause> shared = findShared(joints, critical);
   if (!shared || !joints.causes()[shared->cause].one_for_all) return shared;
   const std::optional<SharedLink> link = findLink(joints, critical);
@@ -65,7 +66,7 @@ SetDiagnosis diagnoseJoints(const std::vector<JointTask>& tasks, const std::vect
   JointCrowd joints(tasks, causes, options);
   joints.begin();
   result.critical_gain = quantile(joints.largestNulls().gains, 1 - options.effort.false_alarms);
-  const auto shared = findShared(joints, tasks, result.critical_gain);
+  const auto shared = sharedUnlessOfALink(joints, tasks, result.critical_gain);
   if (shared) {
     result.shared.push_back(describe(*shared, joints.causes()));
     joints.give(shared->cause, shared->x);

@@ -59,7 +59,7 @@ void JointCrowd::giveLink(std::size_t link, std::size_t cause, const std::vector
   lookAnew(questionOf("given" + std::to_string(link), cause, x), [&](std::size_t j) {
     Beside beside{{}, {ruled_out}};
     if (carries(j, link)) beside.effects = {setting};
-    if (j == link || carries(j, link)) searches_[j]->begin(beside);
+    if (j == link || carries(j, link)) searches_[j]->give(beside);
   });
 }
 

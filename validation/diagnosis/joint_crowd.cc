@@ -18,28 +18,39 @@ bool isStart(const Cause& cause, double x) {
   return std::find(starts.begin(), starts.end(), x) != starts.end();
 }
 
+// Of each cause of the joint's own link.
+std::vector<LinkLook> linkLooksOf(const JointSearch& search, const Eigen::VectorXd& white) {
+  std::map<std::size_t, LinkLook> best;
+  for (const Look& look : search.stage().looks()) {
+    if (!search.causes()[look.cause].of_link) continue;
+    double scale = 0;
+    const double gain = Stage::gain(look, white, &scale);
+    if (gain <= best[look.cause].gain) continue;
+    best[look.cause] = {look.cause, look.x, gain};
+    best[look.cause].x[0] *= scale;
+  }
+  std::vector<LinkLook> looks;
+  for (const auto& [cause, look] : best) {
+    if (look.gain > 0) looks.push_back(look);
+  }
+  return looks;
+}
+
 JointLooks looksOf(const JointSearch& search) {
   const Stage& stage = search.stage();
   const Eigen::VectorXd white = stage.white(stage.raw());
-  JointLooks looks{search.nulls(), stage.largestGain(white), white.squaredNorm(), {}, {}};
-  std::map<std::size_t, LinkLook> links;
+  JointLooks looks{search.nulls(),
+                   stage.largestGain(white),
+                   white.squaredNorm(),
+                   {},
+                   linkLooksOf(search, white)};
   for (const Look& look : stage.looks()) {
     const Cause& cause = search.causes()[look.cause];
-    double scale = 0;
-    const double gain = cause.of_link ? Stage::gain(look, white, &scale) : 0;
-    LinkLook& link = links[look.cause];
-    if (gain > link.gain) {
-      link = {look.cause, look.x, gain};
-      link.x[0] *= scale;
-    }
     if (cause.scope != Scope::Robot || look.x.size() != 1) continue;
     const Explained explained(look.white, white);
     looks.shared.push_back({look.cause, look.x[0],
                             !cause.scan.empty() && !isStart(cause, look.x[0]), explained.along(),
                             explained.square(), explained.gain(), look.lower, look.upper});
-  }
-  for (const auto& [cause, link] : links) {
-    if (link.gain > 0) looks.links.push_back(link);
   }
   return looks;
 }

@@ -64,9 +64,7 @@ JointSearch::JointSearch(const JointSimulator& joint, const JointNoise& noise,
 }
 
 void JointSearch::begin(const Beside& beside) {
-  ensemble_.setGiven(beside.effects);
-  given_ = beside.ruled_out;
-  enter(stageOf({}, Eigen::MatrixXd(data_.size(), 0)));
+  give(beside);
   misfit_before_ = misfit(*stage_, stage_->raw());
   split_ratio_ = splitRatio();
 }
@@ -77,11 +75,13 @@ EffectSetting JointSearch::sharedSetting(std::size_t cause, double x) const {
   return setting;
 }
 
-void JointSearch::give(std::size_t cause, double x) {
-  ensemble_.setGiven({sharedSetting(cause, x)});
-  given_ = {cause};
+void JointSearch::give(const Beside& beside) {
+  ensemble_.setGiven(beside.effects);
+  given_ = beside.ruled_out;
   enter(stageOf({}, Eigen::MatrixXd(data_.size(), 0)));
 }
+
+void JointSearch::give(std::size_t cause, double x) { give({{sharedSetting(cause, x)}, {cause}}); }
 
 double JointSearch::costOf(std::size_t cause, const std::vector<double>& x,
                            const std::vector<Joint>& place) {

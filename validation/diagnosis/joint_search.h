@@ -66,6 +66,8 @@ class JointSearch {
               const Effort& effort, long granted_runs);
 
   void begin(const Beside& beside = {});
+  /// Once begun: looks anew beside this.
+  void give(const Beside& beside);
   /// Takes a cause for given, with this number, and looks anew: what all joints share.
   void give(std::size_t cause, double x);
   /// Half the squares of the fit motions' residual with this number given, less that without: what

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include "validation/diagnosis/beat_search.h"
 #include "validation/diagnosis/shared_fit.h"
@@ -56,10 +55,6 @@ std::vector<SharedLook> sharedLooks(const JointCrowd& joints) {
   return looks;
 }
 
-double sum(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0);
-}
-
 SharedFit fitOf(JointCrowd& joints, std::size_t cause) {
   const FreeNumber& number = joints.causes()[cause].free[0];
   return {[&joints, cause](double x) { return joints.gainsAt(cause, x); }, number.lower,
@@ -70,7 +65,7 @@ SharedCause bestOf(const SharedFit& fit, std::size_t cause, double critical) {
   SharedCause best;
   best.cause = cause;
   best.x = fit.best();
-  best.gain = std::max(0.0, sum(fit.gains()));
+  best.gain = std::max(0.0, fit.gain());
   best.joints = static_cast<int>(std::count_if(fit.gains().begin(), fit.gains().end(),
                                                [&](double gain) { return gain > critical; }));
   return best;

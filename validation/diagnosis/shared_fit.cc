@@ -52,6 +52,8 @@ double SharedFit::best() const {
       ->first;
 }
 
+double SharedFit::gain() const { return sum(gains()); }
+
 double SharedFit::gainAt(double x) {
   x = std::clamp(x, lower_, upper_);
   auto found = tried_.find(x);

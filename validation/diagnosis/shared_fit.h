@@ -21,6 +21,7 @@ class SharedFit {
   double best() const;
   /// Of each joint, at the best.
   const std::vector<double>& gains() const { return tried_.at(best()); }
+  double gain() const;  // of all
 
  private:
   double gainAt(double x);

@@ -1,7 +1,6 @@
 #include "validation/diagnosis/shared_link.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "validation/diagnosis/shared_fit.h"
 
@@ -30,7 +29,7 @@ SharedLink fitted(JointCrowd& joints, std::size_t link, const LinkLook& look) {
   SharedFit fit(gains_at, number.lower, number.upper);
   fit.narrow(look.x[0]);
   found.x[0] = fit.best();
-  found.gain = std::accumulate(fit.gains().begin(), fit.gains().end(), 0.0);
+  found.gain = fit.gain();
   return found;
 }
 

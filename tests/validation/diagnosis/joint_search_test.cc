@@ -29,9 +29,10 @@ Effort quick() {
 }
 
 JointVerdict diagnose(const ToyLaws& truth, const std::vector<Cause>& causes,
-                      const Effort& effort = quick(), long granted = 1000000) {
-  const test::ToyJoint toy(truth, 1, test::kToyNoise, 6, 3);
-  JointSearch search(toy, test::kToyNoise, causes, effort, granted);
+                      const Effort& effort = quick(), long granted = 1000000,
+                      const JointNoise& noise = test::kToyNoise) {
+  const test::ToyJoint toy(truth, 1, noise, 6, 3);
+  JointSearch search(toy, noise, causes, effort, granted);
   search.begin();
   return search.conclude({});
 }
@@ -40,6 +41,14 @@ std::vector<Cause> without(const std::vector<std::string>& ids) {
   std::vector<Cause> causes;
   for (const Cause& cause : test::toyCauses()) {
     if (std::find(ids.begin(), ids.end(), cause.id) == ids.end()) causes.push_back(cause);
+  }
+  return causes;
+}
+
+std::vector<Cause> withStop() {
+  std::vector<Cause> causes = test::toyCauses();
+  for (const Cause& cause : jointCauses()) {
+    if (cause.id == "joint_stop.lower") causes.push_back(cause);
   }
   return causes;
 }
@@ -286,10 +295,7 @@ TEST(JointSearch, IntervalsAllowForWhatRemains) {
 // intervals hold it where zeros are right. Of ten intervals of 90 % eight or more hold 93 times of
 // 100; they reach no further than zero (0.2 degrees) and two roundings (two counts) do.
 TEST(JointSearch, IntervalsOfAStopAllowForWhatItsEncoderReads) {
-  std::vector<Cause> causes = test::toyCauses();
-  for (const Cause& cause : jointCauses()) {
-    if (cause.id == "joint_stop.lower") causes.push_back(cause);
-  }
+  const std::vector<Cause> causes = withStop();
   constexpr int kPlaces = 10;  // within two counts, zeros within 0.1 degrees
   int held = 0;
   for (int place = 0; place < kPlaces; ++place) {
@@ -310,11 +316,8 @@ TEST(JointSearch, IntervalsOfAStopAllowForWhatItsEncoderReads) {
 // Of a stop that a joint goes only 5 mrad into a row of sizes a tenth apart has none that helps:
 // 0.46 rad at a hip were unknown, over and over. The joint itself went no further.
 TEST(JointSearch, AStopThatIsHardlyMetIsWhereTheJointWentTo) {
-  std::vector<Cause> causes = test::toyCauses();
-  for (const Cause& cause : jointCauses()) {
-    if (cause.id == "joint_stop.lower") causes.push_back(cause);
-  }
-  ToyLaws free;
+  const std::vector<Cause> causes = withStop();
+  const ToyLaws free;
   const test::ToyJoint toy(free, 1, test::kToyNoise, 6, 3);
   double least = 0;
   for (const JointMotion& motion : toy.measured()) {
@@ -336,10 +339,7 @@ TEST(JointSearch, IntervalsTakeEveryPlaceOfRestForItself) {
   laws.bias = 0.15;
   JointNoise quiet = test::kToyNoise;
   quiet.torque_sd /= 5;
-  const test::ToyJoint toy(laws, 1, quiet, 6, 3);
-  JointSearch search(toy, quiet, test::toyCauses(), quick(), 1000000);
-  search.begin();
-  const JointVerdict verdict = search.conclude({});
+  const JointVerdict verdict = diagnose(laws, test::toyCauses(), quick(), 1000000, quiet);
   ASSERT_EQ(verdict.named().size(), 1u);
   const FoundNumber& bias = verdict.findings[0].numbers[0];
   EXPECT_LT(bias.low, 0.15);
