@@ -9,11 +9,6 @@
 
 namespace nao::validation {
 
-/// How a run is simulated. Coarse ones are for what causes change, where the error of a step falls
-/// out, and before encoders round: readings that jump by a count say little of what moves them by
-/// less. Only limbs that hang have any, to others both are the same.
-enum class Pace { Exact, Coarse };
-
 /// Some limbs of a robot that hangs by its torso, alone: what a WholeSimulator predicts of their
 /// joints. Nothing passes from limb to limb there but by a motor that both share, so that without
 /// the others, without sensors and solids, a run by 0.25 ms takes two thirds of one by 1 ms. Limbs

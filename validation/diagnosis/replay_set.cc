@@ -84,7 +84,7 @@ Report replayWholeSet(const LogSet& set, std::shared_ptr<const RobotModel> model
   const WholeReplay replay =
       replayWhole(simulator, {}, runsOfEach(simulator, options.runs), options.jobs);
   report.runs = replay.runs;
-  report.step_s = toSeconds(simulator.step());
+  report.step_s = toSeconds(simulator.step(Pace::Exact));
   TextTable table{
       "Measured against simulated: mean of repeats, and their spread",
       {"joint", "error [mrad]", "floor", "misfit", "unexplained [%]", "SD real", "SD nominal"},

@@ -8,6 +8,21 @@
 namespace nao::validation {
 namespace {
 
+constexpr int kExactCost = 4;  // of a coarse run
+constexpr std::uint64_t kStepErrorStream = 4;
+
+// Empty ones left out; empty if there is none.
+Eigen::VectorXd meanOfThose(const std::vector<Eigen::VectorXd>& some) {
+  Eigen::VectorXd sum;
+  double count = 0;
+  for (const Eigen::VectorXd& one : some) {
+    if (one.size() == 0) continue;
+    sum = count == 0 ? one : Eigen::VectorXd(sum + one);
+    count += 1;
+  }
+  return sum / std::max(1.0, count);
+}
+
 bool areOf(Blocks blocks, Split split) {
   return blocks == Blocks::All || (blocks == Blocks::Fit) == (split == Split::Fit);
 }
@@ -80,9 +95,35 @@ std::vector<WholeData::Order> WholeData::ordersFor(int per_run, std::size_t most
   return orders;
 }
 
+void WholeData::learnStepErrors(int runs, double noise, int jobs) {
+  if (limbs_) return;
+  for (std::size_t block = 0; block < spaces_.size(); ++block) {
+    const Eigen::VectorXd exact = meanOf(block, Pace::Exact, runs, noise, jobs);
+    const Eigen::VectorXd coarse = meanOf(block, Pace::Coarse, runs, noise, jobs);
+    step_error_.emplace_back(exact - coarse);
+    if (exact.size() == 0 || coarse.size() == 0) step_error_.back().setZero(spaces_[block].size());
+  }
+  step_error_variance_ = 2.0 / runs;
+}
+
+// Of the model's runs that stand; nothing if none does.
+Eigen::VectorXd WholeData::meanOf(std::size_t block, Pace pace, int count, double noise,
+                                  int jobs) const {
+  const std::vector<std::size_t>& runs = simulator_.blocks()[block].runs;
+  std::vector<Eigen::VectorXd> features(static_cast<std::size_t>(count));
+  inParallel(features.size(), jobs, [&](std::size_t i) {
+    const std::size_t run = runs[i % runs.size()];
+    const std::uint64_t stream = (kStepErrorStream << 40) + i + 1;
+    const WholeRun played = simulator_.simulate(given_, run, stream, noise, pace);
+    if (!played.fell) features[i] = spaces_[block].of(played);
+  });
+  used_ += count * (pace == Pace::Exact ? kExactCost : 1);
+  return meanOfThose(features);
+}
+
 WholeRun WholeData::replay(const std::vector<EffectSetting>& causes, std::size_t run,
                            std::uint64_t stream, double noise, Pace pace) const {
-  if (!limbs_) return simulator_.simulate(causes, run, stream, noise);
+  if (!limbs_) return simulator_.simulate(causes, run, stream, noise, Pace::Coarse);
   const LimbReplay& limbs = pace == Pace::Coarse ? *coarse_ : *limbs_;
   return limbs.simulate(causes, run, stream, noise);
 }
@@ -98,7 +139,9 @@ WholePool WholeData::simulate(const std::vector<EffectSetting>& causes, int per_
   std::vector<char> fell(orders.size(), 0);
   inParallel(orders.size(), jobs, [&](std::size_t i) {
     const WholeRun run = replay(acting, orders[i].run, orders[i].stream, noise, pace);
-    features[i] = spaces_[block_of_[orders[i].run]].of(run);
+    const std::size_t block = block_of_[orders[i].run];
+    features[i] = spaces_[block].of(run);
+    if (!step_error_.empty()) features[i] += step_error_[block];
     fell[i] = run.fell;
   });
   std::vector<int> total(spaces_.size(), 0), down(spaces_.size(), 0);

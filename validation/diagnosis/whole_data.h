@@ -39,10 +39,17 @@ class WholeData {
   /// Effects that act in every run simulated from now on, whatever else is tried.
   void give(std::vector<EffectSetting> effects) { given_ = std::move(effects); }
 
-  /// A measured run anew: by the limbs of the joints alone if they hang and nothing else counts.
+  /// A measured run anew: by the limbs of the joints alone if they hang and nothing else counts. Of
+  /// others all runs are coarse.
   WholeRun replay(const std::vector<EffectSetting>& causes, std::size_t run, std::uint64_t stream,
                   double noise, Pace pace) const;
   bool hasCoarse() const { return coarse_ != nullptr; }
+
+  /// From now on simulate() makes up for what coarse runs are off by on the mean of a block,
+  /// learned from `runs` of the model by either pace. Limbs that hang alone need none of it.
+  void learnStepErrors(int runs, double noise, int jobs);
+  /// The chance in that, of the variance of a single run; 0 if nothing is made up for.
+  double stepErrorVariance() const { return step_error_variance_; }
 
   /// Runs simulated so far.
   long used() const { return used_; }
@@ -61,6 +68,7 @@ class WholeData {
                      Pace pace = Pace::Exact) const;
 
  private:
+  Eigen::VectorXd meanOf(std::size_t block, Pace pace, int count, double noise, int jobs) const;
   struct Order {
     std::size_t run;
     std::uint64_t stream;
@@ -71,6 +79,8 @@ class WholeData {
   const WholeSimulator& simulator_;
   std::unique_ptr<LimbReplay> limbs_, coarse_;
   std::vector<EffectSetting> given_;
+  std::vector<Eigen::VectorXd> step_error_;  // by block; empty: not known
+  double step_error_variance_ = 0;
   mutable std::atomic<long> used_{0};
   std::vector<FeatureSpace> spaces_;
   std::vector<Eigen::Index> offsets_;

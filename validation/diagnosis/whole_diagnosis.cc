@@ -38,9 +38,10 @@ class RobotCase {
 
   // `false_alarms`: of this robot.
   void diagnose(double false_alarms) {
-    const WholeData data(simulator_, simulator_.judged(), options_.level == Level::Robot);
+    WholeData data(simulator_, simulator_.judged(), options_.level == Level::Robot);
     tell("comparing the scatter of the repeats");
     spread_ = fitSpread(data, {}, options_.effort.base_runs, options_.jobs);
+    data.learnStepErrors(options_.effort.step_runs, spread_.noise, options_.jobs);
     into_.spreads.push_back({robot_, spread_, spread_});
     const bool whole = options_.level == Level::Robot;
     add(notTriedAmong(options_.handed_on, whole, simulator_.model(), simulator_.judged()));
@@ -77,6 +78,7 @@ class RobotCase {
                      [](const Part& a, const Part& b) { return a.off > b.off; });
     for (const Part& part : parts) {
       part.data->give(found_);
+      part.data->learnStepErrors(options_.effort.step_runs, spread_.noise, options_.jobs);
       search(*part.data, limbCauses(simulator_.model(), part.limb, simulator_.joints()), part.limb,
              part.joints, false_alarms / static_cast<double>(parts.size()));
     }

@@ -74,9 +74,11 @@ void WholeNoise::addBlock(const WholeData& data, const WholePool& pool, std::siz
   const Eigen::Index at = data.offsets()[block];
   Eigen::MatrixXd simulated = deviationsOf(simulatedRuns(pool, of));
   const auto columns = static_cast<double>(simulated.cols());
+  const double measured = 1 / static_cast<double>(of.runs.size());
+  const double of_mean = std::sqrt(measured + 1 / columns + data.stepErrorVariance());
   raised_.segment(at, simulated.rows()) =
+      std::sqrt(1 + data.stepErrorVariance() / measured) *
       raise(groups, simulated, deviationsOf({measuredRuns(data, pool, of)}));
-  const double of_mean = std::sqrt(1 / static_cast<double>(of.runs.size()) + 1 / columns);
 
   // What scatters together, in units of what scatters at all.
   Eigen::VectorXd scale = simulated.rowwise().squaredNorm() / columns;

@@ -12,6 +12,7 @@ struct WholeEffort {
   int look_runs = 2;   // measured runs that a look at a cause replays
   int fit_runs = 5;    // simulated by a fit
   int base_runs = 24;  // of the model that the measurement is compared with, and as many for nulls
+  int step_runs = 40;  // by either pace, of the model: four times what was measured, mostly
   int null_sets = 200;
   int finalists = 5;    // candidates that are fitted
   int most_causes = 3;  // named
@@ -21,7 +22,7 @@ struct WholeEffort {
 int perRun(int runs, std::size_t measured);
 
 /// What random numbers of simulated runs are for.
-enum class WholeStream : std::uint64_t { Base = 1, Null = 2, Noise = 3 };
+enum class WholeStream : std::uint64_t { Base = 1, Null = 2, Noise = 3 };  // 4: of step errors
 
 /// By how much a model with its noise and repeats of a measurement scatter about their means: SDs
 /// of single runs, the directions in which whole courses scatter together, and the like for the
@@ -35,7 +36,7 @@ class WholeNoise {
   /// For residuals of means: SD by feature, and one column per direction for one SD of it.
   const Eigen::VectorXd& sd() const { return sd_; }
   const Eigen::MatrixXd& directions() const { return directions_; }
-  /// By which simulated deviations are to be multiplied to scatter as the repeats do.
+  /// By which deviations of simulated means are to be multiplied to scatter as the residual does.
   const Eigen::VectorXd& raised() const { return raised_; }
 
  private:

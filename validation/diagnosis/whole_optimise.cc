@@ -151,11 +151,12 @@ Optimised optimiseWhole(const LogSet& set, const std::shared_ptr<const RobotMode
   WholeOptions whole;
   whole.splits = {Split::Fit};
   const WholeSimulator simulator(set, model, whole);
-  const WholeData data(simulator, simulator.judged(), true);
+  WholeData data(simulator, simulator.judged(), true);
   const Numbers numbers(free, simulator);
   WholeTask task{&data, &numbers.causes(), {}, 1, options.jobs};
   task.effort.fit_runs = options.runs;
   task.noise = fitSpread(data, {}, task.effort.base_runs, options.jobs).noise;
+  data.learnStepErrors(task.effort.step_runs, task.noise, options.jobs);
   requireShownAnywhere(task, numbers, set);
   const Eigen::MatrixXd none(data.size(), 0);
   const WholeStage stage(task, numbers.start(false), none);

@@ -19,12 +19,15 @@ constexpr double kWorth = 0.5, kBehind = 0.2;
 
 }  // namespace
 
-// Where the fit of a cause may begin: where its best look would be best, and where it was taken. A
-// rough cause does nothing below some size and everything beyond another (a stop that is not
-// reached, a floor that still holds): all of its looks that promise something, at several sizes.
+// Where the fit of a cause may begin: where its best look would be best, half way to there, as a
+// gain's effect grows faster than the gain falls, and where it was taken, which may be the other
+// sign. A rough cause does nothing below some size and everything beyond another (a stop that is
+// not reached, a floor that still holds): all of its looks that promise something, at several
+// sizes.
 std::vector<WholeChosen> WholeSearch::beginningsOf(const WholeLook& look, double scale) const {
-  std::vector<WholeChosen> all{{look.cause, look.x}, {look.cause, look.x}};
-  all.front().x[0] *= scale;
+  std::vector<WholeChosen> all(3, {look.cause, look.x});
+  all[0].x[0] *= scale;
+  all[1].x[0] *= scale / 2;
   if (placed(look.cause).cause.linear) return all;
   const Eigen::VectorXd white = stage_->white(stage_->raw());
   std::vector<std::pair<double, const WholeLook*>> promising;

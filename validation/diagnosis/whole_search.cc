@@ -199,7 +199,16 @@ std::string WholeSearch::objection(const Candidate& candidate, double held_out) 
   const double excess = fit_.cost - static_cast<double>(fit_.residual.size()) / 4;
   if (excess > 0 && candidate.gain < kLeastShare * excess) return "explains too little";
   if (candidate.gain < kLeastOfAll * gained_) return "explains little beside what was found";
+  if (gainByManyRuns(candidate) <= critical_) return "more runs do not bear it out";
   return "";
+}
+
+// Few runs of the model may have been unlucky ones, than which those of any cause are better.
+double WholeSearch::gainByManyRuns(const Candidate& candidate) const {
+  const auto costOf = [&](const Eigen::VectorXd& raw) {
+    return stage_->whitenFit(raw).squaredNorm() / 2;
+  };
+  return costOf(stage_->raw()) - costOf(manyRunsResidual(task_, candidate.fit.model));
 }
 
 // Every cause competes again once another one has joined: it must still be needed, and be better

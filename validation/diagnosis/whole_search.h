@@ -78,6 +78,7 @@ class WholeSearch {
   void take(const std::vector<Candidate>& ranking, const Candidate& one, double held_out);
   void compareAgain();
   std::string objection(const Candidate& candidate, double held_out) const;
+  double gainByManyRuns(const Candidate& candidate) const;
   double heldOut(const WholeModel& less, const WholeModel& model) const;
   void review();
   bool swapOne(std::size_t place);

@@ -10,6 +10,11 @@
 
 namespace nao::validation {
 
+/// How a run is simulated. Coarse ones are for what causes change, where the error of a step falls
+/// out; those of limbs that hang alone (limb_replay.h) also are before encoders round, as readings
+/// that jump by a count say little of what moves them by less.
+enum class Pace { Exact, Coarse };
+
 /// Whether the runs of a set are for a WholeSimulator: neither hung up nor built in.
 bool isOnItsFeet(const LogSet& set, const RobotModel& model);
 
@@ -22,7 +27,6 @@ struct WholeBlock {
 };
 
 struct WholeOptions {
-  Duration step{};      // 0: 1 ms for a robot that hangs, 2 ms for one on its feet
   double settle = 2.5;  // [s] held in the first pose before a run: the torso's angle settles in 1 s
   const sim::EffectCatalogue* catalogue = nullptr;       // null: standardEffects()
   std::vector<Split> splits{Split::Fit, Split::Select};  // whose runs are replayed
@@ -39,7 +43,7 @@ class WholeSimulator {
                  const WholeOptions& options = {});
 
   const RobotModel& model() const { return *model_; }
-  Duration step() const { return options_.step; }
+  Duration step(Pace pace) const;
   const std::vector<WholeRun>& measured() const { return measured_; }
   /// In the order of WholeOptions::splits.
   const std::vector<WholeBlock>& blocks() const { return blocks_; }
@@ -53,7 +57,7 @@ class WholeSimulator {
   /// (merge_effects.h). The same `stream` draws the same random numbers whatever the causes.
   /// `noise`: times the torque noise of the robot's file; 0: none, its encoders' and IMU's neither.
   WholeRun simulate(const std::vector<EffectSetting>& causes, std::size_t run, std::uint64_t stream,
-                    double noise) const;
+                    double noise, Pace pace = Pace::Exact) const;
 
   /// The robot as it was in this run, with what acted on it: noise first.
   std::shared_ptr<const RobotModel> robotOf(const WholeRun& run,

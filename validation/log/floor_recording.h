@@ -22,7 +22,7 @@ struct FloorPlan {
   /// By a motion's name: what is asked of the robot in place of what the protocol says.
   std::map<std::string, motion::MotionAction> actions{};
   int repeats = 6;
-  Duration step = std::chrono::milliseconds(2);
+  Duration step = std::chrono::microseconds(250);
   std::uint64_t seed = 1;                         // of all that differs between runs
   const sim::EffectCatalogue* effects = nullptr;  // null: standardEffects()
 };

@@ -22,7 +22,7 @@ class HungRobot {
 
   const RobotModel& model() const { return *model_; }
   WholeRun whole(const std::vector<EffectSetting>& causes) const {
-    return whole_.simulate(causes, 0, 1, 0);
+    return whole_.simulate(causes, 0, 1, 0, Pace::Coarse);
   }
   WholeRun limbs(const std::vector<EffectSetting>& causes) const {
     return limbs_.simulate(causes, 0, 1, 0);

@@ -81,12 +81,12 @@ double calcError(const LogSet& set) {
 TEST(WholeSimulator, CarriesTheLoadAndHasTheGainThatTheRunHad) {
   const auto model = test::robot("nao_h21_v33");
   const Joint elbow = *model->findJoint("LElbowRoll");
-  const EffectSetting weight{"payload", {{"mass", 0.8}, {"x", 0.08}}, {elbow}, ""};
+  const EffectSetting weight{"payload", {{"mass", 0.3}, {"x", 0.08}}, {elbow}, ""};
   LogSet loaded = record({"arms", Split::Fit, 2, {}}, 1, {weight});
   const double forgotten = calcError(loaded);
   for (std::size_t b = 1; b < model->bodies.size(); ++b) {
     if (model->coordinates[b - 1].joint != elbow) continue;
-    loaded.runs[0].load = LogLoad{model->bodies[b].name, 0.8, {0.08, 0, 0}};
+    loaded.runs[0].load = LogLoad{model->bodies[b].name, 0.3, {0.08, 0, 0}};
   }
   EXPECT_LT(calcError(loaded), 0.5 * forgotten);
 
