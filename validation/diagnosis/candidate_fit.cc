@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -62,12 +63,19 @@ class ModelChanges {
     return (at(beside) - at(numbers)) * (1 / (beside[i] - numbers[i]));
   }
 
-  // Widens a number's step until its difference is more than chance, up to half the number.
+  // Widens a number's step until its difference is more than chance, up to half the number. Chance
+  // fades as a difference widens: one that steepens has gone over a cliff (exact_slopes.cc).
   void widen(FitSpace& space, std::size_t i) {
     if (space.isFixed(i)) return;
     const double most = kWidest * std::abs(space.start[i]);
-    while (space.step[i] < most) {
-      if (stage_.whitenFit(slope(space, i, space.start)).coherence() > kCoherent) return;
+    double steepness = std::numeric_limits<double>::infinity();
+    for (double before = space.step[i];;) {
+      const Halves here = stage_.whitenFit(slope(space, i, space.start));
+      const double steeper = here.mean().norm();
+      if (steeper > steepness) space.step[i] = before;
+      if (steeper > steepness || here.coherence() > kCoherent || space.step[i] >= most) return;
+      steepness = steeper;
+      before = space.step[i];
       space.step[i] =
           std::min(kWider * std::max(space.step[i], 0.05 * std::abs(space.start[i])), most);
     }
@@ -161,6 +169,14 @@ QuickFit fitQuickly(Ensemble& ensemble, const Stage& stage, const std::vector<Ca
     if (other.gain > best.gain) best = other;
   }
   return {cause, best.x, best.gain};
+}
+
+QuickFit reshaped(Ensemble& ensemble, const Stage& stage, const std::vector<Cause>& causes,
+                  const QuickFit& start, const Effort& effort) {
+  if (causes[start.cause].linear || start.x.size() < 2) return start;
+  const SizeSearch search(ensemble, stage, causes, start.cause, effort, SizeSearch::Runs::Coarse);
+  const SizeSearch::Point best = search.reshaped(start.x);
+  return {start.cause, best.x, best.gain};
 }
 
 ModelFit fitFully(Ensemble& ensemble, const JointData& data, const Stage& stage,

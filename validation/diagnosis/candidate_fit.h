@@ -28,6 +28,10 @@ struct QuickFit {
 QuickFit fitQuickly(Ensemble& ensemble, const Stage& stage, const std::vector<Cause>& causes,
                     const QuickFit& start, const Effort& effort);
 
+/// The same of a rough cause that something shapes, from where fitQuickly() left it.
+QuickFit reshaped(Ensemble& ensemble, const Stage& stage, const std::vector<Cause>& causes,
+                  const QuickFit& start, const Effort& effort);
+
 /// All numbers of `start` at once, by ensembles of final_runs. `promised`: the gain that is
 /// expected of its last cause.
 ModelFit fitFully(Ensemble& ensemble, const JointData& data, const Stage& stage,

@@ -137,6 +137,10 @@ void Candidates::fitFinalists(const Stage& stage, double critical, int most,
 }
 
 void Candidates::fitFinally(const Stage& stage, Candidate& candidate) {
+  const QuickFit best =
+      reshaped(ensemble_, stage, causes_, {candidate.cause, candidate.x, candidate.gain}, effort_);
+  candidate.x = best.x;
+  candidate.gain = best.gain;
   CauseList model = stage.model();
   model.push_back({candidate.cause, candidate.x});
   candidate.fit = fitFully(ensemble_, data_, stage, causes_, model, effort_, candidate.gain);

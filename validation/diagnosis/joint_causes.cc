@@ -78,10 +78,11 @@ void addFriction(std::vector<Cause>& all) {
   all.push_back(one("viscous_friction", "coefficient", {0.05, 0.3, -0.05},
                     "{joint} is damped by {value} more than the model",
                     "a fall with the motor switched off"));
-  all.push_back(byGrid(shaped(
-      one("stribeck_friction", "torque", {0.1, 0.4}, "{joint} sticks near standstill with {value}",
-          "slow triangles with and without load"),
-      "speed", {0, 0.3})));
+  all.push_back(byGrid(shaped(shaped(one("stribeck_friction", "torque", {0.1, 0.4},
+                                         "{joint} sticks near standstill with {value}",
+                                         "slow triangles with and without load"),
+                                     "speed", {0, 0.3}),
+                              "exponent", {0, -1})));
   all.push_back(shaped(one("load_friction", "share", {0.1, 0.3},
                            "{joint}'s friction grows by {value} of the torque its gear carries",
                            "the same sweep with a light and a heavy load"),

@@ -43,6 +43,27 @@ SizeSearch::Point SizeSearch::near(const std::vector<double>& x) const {
   return best.gain > 0 && !causes_[cause_].beats ? followed(best) : best;
 }
 
+SizeSearch::Point SizeSearch::reshaped(const std::vector<double>& x) const {
+  Point best = at(x);
+  for (const double part : {0.5, 0.25}) {
+    for (std::size_t i = 1; i < x.size(); ++i) best = reshaped(best, i, part);
+  }
+  return best;
+}
+
+SizeSearch::Point SizeSearch::reshaped(const Point& from, std::size_t number, double part) const {
+  const FreeNumber& shape = causes_[cause_].free[number];
+  const auto [low, high] = std::minmax_element(shape.starts.begin(), shape.starts.end());
+  const double step = part * (*high - *low);
+  Point best = from;
+  for (const double moved : {from.x[number] - step, from.x[number] + step}) {
+    std::vector<double> other = from.x;
+    other[number] = std::clamp(moved, shape.lower, shape.upper);
+    if (other != from.x) best = std::max(best, followed(at(other)), &isWorse);
+  }
+  return best;
+}
+
 SizeSearch::Point SizeSearch::at(const std::vector<double>& x) const {
   const Explained explained(stage_.white(changeAt(x)), residual_);
   return {x, explained.gain(), explained.bestScale()};

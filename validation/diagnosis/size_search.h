@@ -28,9 +28,14 @@ class SizeSearch {
   Point from(const std::vector<double>& x) const;
   /// The best size close to these numbers.
   Point near(const std::vector<double>& x) const;
+  /// From these, the best with what shapes the cause half and a quarter of its starts' way further
+  /// or less; the size goes along. Fits of both at once creep along where one makes up for the
+  /// other.
+  Point reshaped(const std::vector<double>& x) const;
 
  private:
   Point at(const std::vector<double>& x) const;
+  Point reshaped(const Point& from, std::size_t number, double part) const;
   Point scanned(Point best) const;
   Point reached(const Point& from) const;
   Point beating(Point best) const;

@@ -66,6 +66,19 @@ TEST(StribeckFriction, FadesWithSpeedAsAGaussian) {
   }
 }
 
+TEST(StribeckFriction, FadesByAnotherExponentAtTheSameSpeed) {
+  EffectChain chain =
+      chainOf(*freeRod(1, 1),
+              {effect("stribeck_friction", {{"torque", 0.4}, {"speed", 0.1}, {"exponent", 1}})});
+  const JointArray<double> zero(1);
+  for (const double rate : {0.0, 0.05, -0.1, 0.3}) {
+    DriveTerms terms;
+    const JointArray<double> rates(1, rate);
+    chain.alterDrive({{}, 0.001, zero, rates, zero, zero, zero, zero}, terms);
+    EXPECT_NEAR(terms.resist_forward[0], 0.4 * std::exp(-std::abs(rate) / 0.1), 1e-15);
+  }
+}
+
 TEST(StribeckFriction, HoldsWhatRestsAndLetsGoWhatMoves) {
   const EffectSetting friction =
       effect("stribeck_friction", {{"torque", 1.1 * kWeight}, {"speed", 0.1}});
