@@ -97,6 +97,7 @@ std::vector<WholeData::Order> WholeData::ordersFor(int per_run, std::size_t most
 
 void WholeData::learnStepErrors(int runs, double noise, int jobs) {
   if (limbs_) return;
+  step_error_.clear();
   for (std::size_t block = 0; block < spaces_.size(); ++block) {
     const Eigen::VectorXd exact = meanOf(block, Pace::Exact, runs, noise, jobs);
     const Eigen::VectorXd coarse = meanOf(block, Pace::Coarse, runs, noise, jobs);

@@ -196,7 +196,8 @@ TEST(JointLevel, ADeadBandThatEndsSmoothlyIsToldAlone) {
   expectToldAlone("servo_deadband", {{"width", 0.02}, {"ease", 0.6}}, "width");
 }
 
-// Told as one that fades with the square of speed, beside dry friction.
+// An ankle with such a one was told as one that fades with the square of speed, beside dry
+// friction.
 TEST(JointLevel, AFrictionThatFadesSlowlyIsToldAlone) {
   expectToldAlone("stribeck_friction", {{"torque", 0.5}, {"speed", 0.2}, {"exponent", 0.8}},
                   "torque");

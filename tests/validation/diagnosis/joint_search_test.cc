@@ -7,57 +7,16 @@
 #include <algorithm>
 #include <map>
 
-#include "tests/validation/diagnosis/toy_joint.h"
+#include "tests/validation/diagnosis/toy_search.h"
 
 namespace nao::validation {
 namespace {
 
+using test::diagnose;
+using test::quick;
+using test::softServo;
 using test::ToyLaws;
-
-// A fraction of what a diagnosis takes by default: enough for effects that are far from small.
-Effort quick() {
-  Effort effort;
-  effort.look_runs = 4;
-  effort.final_runs = 8;
-  effort.difference_runs = 16;
-  effort.base_runs = 24;
-  effort.null_sets = 50;
-  effort.survivors = 5;
-  effort.finalists = 2;
-  effort.most_causes = 1;
-  return effort;
-}
-
-JointVerdict diagnose(const ToyLaws& truth, const std::vector<Cause>& causes,
-                      const Effort& effort = quick(), long granted = 1000000,
-                      const JointNoise& noise = test::kToyNoise) {
-  const test::ToyJoint toy(truth, 1, noise, 6, 3);
-  JointSearch search(toy, noise, causes, effort, granted);
-  search.begin();
-  return search.conclude({});
-}
-
-std::vector<Cause> without(const std::vector<std::string>& ids) {
-  std::vector<Cause> causes;
-  for (const Cause& cause : test::toyCauses()) {
-    if (std::find(ids.begin(), ids.end(), cause.id) == ids.end()) causes.push_back(cause);
-  }
-  return causes;
-}
-
-std::vector<Cause> withStop() {
-  std::vector<Cause> causes = test::toyCauses();
-  for (const Cause& cause : jointCauses()) {
-    if (cause.id == "joint_stop.lower") causes.push_back(cause);
-  }
-  return causes;
-}
-
-ToyLaws softServo() {
-  ToyLaws laws;
-  laws.kp *= 0.7;
-  return laws;
-}
+using test::without;
 
 ToyLaws deadServo() {
   ToyLaws laws;
@@ -272,79 +231,6 @@ TEST(JointSearch, GoesOnByExactRunsWhereTheyLeaveMoreThanChance) {
   EXPECT_LT(verdict.misfit_after, 1.3);
   ASSERT_EQ(verdict.named().size(), 1u);
   EXPECT_NEAR(verdict.named()[0]->numbers[0].deviation, 1.8, 0.01 * 1.8);
-}
-
-// Cogs, a drag by v^2 and a hum of the mains have no cause here: they pull at the gain, which is
-// -0.3 (found: -0.314, -0.353, -0.338; by noise alone known to 0.015 to 0.03).
-TEST(JointSearch, IntervalsAllowForWhatRemains) {
-  for (double ToyLaws::*law : {&ToyLaws::cogging, &ToyLaws::drag, &ToyLaws::hum}) {
-    ToyLaws laws = softServo();
-    laws.*law = law == &ToyLaws::cogging ? 0.1 : law == &ToyLaws::drag ? 0.05 : 0.15;
-    const JointVerdict verdict = diagnose(laws, without({"friction_asymmetry"}));
-    ASSERT_EQ(verdict.verdict, Verdict::PartlyExplained);
-    ASSERT_EQ(verdict.findings[0].cause, "kp_error");
-    const FoundNumber& gain = verdict.findings[0].numbers[0];
-    EXPECT_LT(gain.low, -0.3);
-    EXPECT_GT(gain.high, -0.3);
-    EXPECT_LT(gain.high, -0.1);  // it still tells something
-  }
-}
-
-// At a stop every sample is off by the same part of a count, and by the same zero of the encoder:
-// 70 of them tell no more than one. By noise alone a stop is told to 0.3 mrad, and 3 of 10
-// intervals hold it where zeros are right. Of ten intervals of 90 % eight or more hold 93 times of
-// 100; they reach no further than zero (0.2 degrees) and two roundings (two counts) do.
-TEST(JointSearch, IntervalsOfAStopAllowForWhatItsEncoderReads) {
-  const std::vector<Cause> causes = withStop();
-  constexpr int kPlaces = 10;  // within two counts, zeros within 0.1 degrees
-  int held = 0;
-  for (int place = 0; place < kPlaces; ++place) {
-    const double moved = 0.72 + place * ToyLaws().quantum / 5;
-    ToyLaws laws;
-    laws.stop += moved;
-    laws.zero = (place * 3 % kPlaces - 4.5) / 4.5 * 0.1 * M_PI / 180;
-    const JointVerdict verdict = diagnose(laws, causes);
-    ASSERT_EQ(verdict.named().size(), 1u) << moved;
-    ASSERT_EQ(verdict.findings[0].cause, "joint_stop.lower");
-    const FoundNumber& lower = verdict.findings[0].numbers[0];
-    held += lower.low <= moved && moved <= lower.high;
-    EXPECT_LT(lower.high - lower.low, 0.2 * M_PI / 180 + 2 * laws.quantum);
-  }
-  EXPECT_GE(held, 8) << "of " << kPlaces;
-}
-
-// Of a stop that a joint goes only 5 mrad into a row of sizes a tenth apart has none that helps:
-// 0.46 rad at a hip were unknown, over and over. The joint itself went no further.
-TEST(JointSearch, AStopThatIsHardlyMetIsWhereTheJointWentTo) {
-  const std::vector<Cause> causes = withStop();
-  const ToyLaws free;
-  const test::ToyJoint toy(free, 1, test::kToyNoise, 6, 3);
-  double least = 0;
-  for (const JointMotion& motion : toy.measured()) {
-    if (motion.split == Split::Fit) least = std::min(least, motion.repeats[0].col(0).minCoeff());
-  }
-  ToyLaws laws;
-  laws.stop = least + 0.005;
-  const JointVerdict verdict = diagnose(laws, causes);
-  ASSERT_EQ(verdict.named().size(), 1u);
-  ASSERT_EQ(verdict.findings[0].cause, "joint_stop.lower");
-  EXPECT_NEAR(verdict.findings[0].numbers[0].deviation, laws.stop - free.stop, 0.002);
-}
-
-// Six places of rest are rounded each in its own way; were they one, half a count of a spring of
-// 22 N m/rad would be 17 mN m to either side. Taken for one, as a prediction that is rounded itself
-// lies on whole counts everywhere, they told the torque to 16 mN m.
-TEST(JointSearch, IntervalsTakeEveryPlaceOfRestForItself) {
-  ToyLaws laws;
-  laws.bias = 0.15;
-  JointNoise quiet = test::kToyNoise;
-  quiet.torque_sd /= 5;
-  const JointVerdict verdict = diagnose(laws, test::toyCauses(), quick(), 1000000, quiet);
-  ASSERT_EQ(verdict.named().size(), 1u);
-  const FoundNumber& bias = verdict.findings[0].numbers[0];
-  EXPECT_LT(bias.low, 0.15);
-  EXPECT_GT(bias.high, 0.15);
-  EXPECT_LT(bias.high - bias.low, 0.012);
 }
 
 TEST(JointSearch, AdjustsNothingBesideWhatHasNoName) {
