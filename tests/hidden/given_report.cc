@@ -30,8 +30,8 @@ void readNumbers(const Json& numbers, GivenCause& cause) {
     cause.value = value;
     const auto read = [](const Json& x) { return x.is_number() ? x.get<double>() : 0.0; };
     cause.deviation = read(number.at("deviation"));
-    cause.low = read(number.at("interval_90").at(0));
-    cause.high = read(number.at("interval_90").at(1));
+    cause.low = read(number.at("deviation_90").at(0));
+    cause.high = read(number.at("deviation_90").at(1));
   }
 }
 

@@ -7,17 +7,12 @@
 #include "core/robot_model.h"
 #include "sim/effects/catalogue.h"
 #include "validation/diagnosis/joint_simulator.h"
+#include "validation/diagnosis/number_form.h"
 
 namespace nao::validation {
 
 /// Whether a cause is one joint's own, or first tried as one number for all joints.
 enum class Scope { Joint, Robot };
-
-/// How a number of a cause becomes an effect's parameter.
-enum class Form {
-  Offset,   // parameter = neutral + number
-  Inverse,  // parameter = 1 / number, for limits that are infinite when they do nothing
-};
 
 /// A number that is fitted. 0 is always the nominal model.
 struct FreeNumber {

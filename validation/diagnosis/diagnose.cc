@@ -13,7 +13,7 @@ SharedFinding describe(const SharedCause& shared, const std::vector<Cause>& caus
   const Cause& cause = causes[shared.cause];
   const auto numberOf = [](const Cause& of, double x, double low, double high) {
     const FreeNumber& free = of.free[0];
-    return FoundNumber{free.parameter, free.unit, shownValue(free, x), x, low, high};
+    return FoundNumber{free.parameter, free.unit, shownValue(free, x), x, low, high, free.form};
   };
   SharedFinding found;
   found.joints = shared.joints;

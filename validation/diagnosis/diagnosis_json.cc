@@ -13,11 +13,13 @@ using Json = nlohmann::ordered_json;
 Json toJson(const std::vector<FoundNumber>& numbers) {
   Json list = Json::array();
   for (const FoundNumber& number : numbers) {
+    const auto [low, high] = valueInterval(number);
     list.push_back({{"parameter", number.parameter},
                     {"unit", number.unit},
                     {"value", number.value},
+                    {"interval_90", {low, high}},
                     {"deviation", number.deviation},
-                    {"interval_90", {number.low, number.high}}});
+                    {"deviation_90", {number.low, number.high}}});
   }
   return list;
 }
@@ -97,10 +99,7 @@ Json toJson(const JointVerdict& joint) {
 void write(std::ostream& out, const std::string& who, const Finding& finding) {
   out << who << ": " << finding.sentence;
   if (!finding.numbers.empty() && finding.numbers[0].low < finding.numbers[0].high) {
-    FoundNumber low = finding.numbers[0], high = low;
-    low.value += low.low - low.deviation;
-    high.value += high.high - high.deviation;
-    out << " (90 %: " << valueText(low) << " to " << valueText(high) << ")";
+    out << " (90 %: " << intervalText(finding.numbers[0]) << ")";
   }
   out << ": " << finding.cause;
   for (const Rival& rival : finding.rivals) out << " or " << rival.cause;

@@ -71,17 +71,14 @@ TextTable errorMap(const std::vector<Examined>& joints) {
 
 TextTable findingsOf(const JointVerdict& joint) {
   TextTable table{"Found, in this order",
-                  {"cause", "value", "90 % of the deviation", "gain [nats]", "folds", "rivals",
+                  {"cause", "value", "90 % interval", "gain [nats]", "folds", "rivals",
                    "to tell them apart", "such statements before"},
                   {}};
   for (const Finding& finding : joint.findings) {
     std::string values, intervals, rivals;
     for (const FoundNumber& number : finding.numbers) {
-      FoundNumber low = number, high = number;
-      low.value = number.low;
-      high.value = number.high;
       values += number.parameter + " " + valueText(number) + " ";
-      intervals += valueText(low) + " to " + valueText(high) + " ";
+      intervals += intervalText(number) + " ";
     }
     for (const Rival& rival : finding.rivals) rivals += rival.cause + " ";
     if (finding.one_motion_only) rivals += "(seen in one motion only)";
@@ -100,12 +97,10 @@ TextTable adjustmentsOf(const std::vector<Examined>& joints) {
                   {}};
   for (const Examined& joint : joints) {
     for (const Adjustment& one : joint.verdict->adjustments) {
-      FoundNumber middle = one.number, low = middle, high = middle;
+      FoundNumber middle = one.number;
       middle.value = middle.deviation;
-      low.value = low.low;
-      high.value = high.high;
-      table.lines.push_back({joint.verdict->joint, one.cause, valueText(middle),
-                             valueText(low) + " to " + valueText(high)});
+      table.lines.push_back(
+          {joint.verdict->joint, one.cause, valueText(middle), deviationIntervalText(one.number)});
     }
   }
   return table;

@@ -337,21 +337,16 @@ Report reportOptimised(const Optimised& found, const std::string& robot) {
   std::vector<Row> rows;
   for (const OptimisedNumber& number : found.numbers) {
     const FoundNumber& n = number.found;
-    const double base = n.value - n.deviation;
-    const auto at = [&](double deviation) {
-      FoundNumber other = n;
-      other.value = base + deviation;
-      return valueText(other);
-    };
+    const auto [low, high] = valueInterval(n);
     rows.push_back({{"number", nameOf(number.what)},
                     {"unit", n.unit},
                     {"value", n.value},
-                    {"low", base + n.low},
-                    {"high", base + n.high},
+                    {"low", low},
+                    {"high", high},
                     {"deviation", n.deviation}});
     table.lines.push_back({nameOf(number.what),
                            valueText(n) + (number.at_bound ? " (at its bound)" : ""),
-                           at(n.low) + " to " + at(n.high), fixed(n.deviation, 5)});
+                           intervalText(n), fixed(n.deviation, 5)});
   }
   report.figures.push_back({"rows", std::move(rows)});
   report.tables.push_back(std::move(table));

@@ -29,34 +29,54 @@ int gravity(Verdict verdict) {
   return 0;
 }
 
+std::string textOf(double value, const std::string& unit) {
+  char text[64];
+  if (unit == "rad") {
+    std::snprintf(text, sizeof text, "%.3g deg", value * 180 / M_PI);
+  } else if (unit == "s") {
+    std::snprintf(text, sizeof text, "%.3g ms", value * 1000);
+  } else if (unit.empty()) {
+    std::snprintf(text, sizeof text, "%.3g", value);
+  } else {
+    std::snprintf(text, sizeof text, "%.3g %s", value, unit.c_str());
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<FoundNumber> foundNumbers(const Cause& cause, const std::vector<double>& x) {
   std::vector<FoundNumber> numbers;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const FreeNumber& free = cause.free[i];
-    numbers.push_back({free.parameter, free.unit, shownValue(free, x[i]), x[i], x[i], x[i]});
+    numbers.push_back(
+        {free.parameter, free.unit, shownValue(free, x[i]), x[i], x[i], x[i], free.form});
   }
   return numbers;
+}
+
+double valueAt(const FoundNumber& number, double deviation) {
+  if (number.form == Form::Offset) return number.value - number.deviation + deviation;
+  return deviation > 0 ? 1 / deviation : INFINITY;
+}
+
+std::pair<double, double> valueInterval(const FoundNumber& number) {
+  return std::minmax({valueAt(number, number.low), valueAt(number, number.high)});
 }
 
 bool mayBeSmall(double low, double high, double smallest) {
   return low < smallest && high > -smallest;
 }
 
-std::string valueText(const FoundNumber& number) {
-  char text[64];
-  const double value = number.value;
-  if (number.unit == "rad") {
-    std::snprintf(text, sizeof text, "%.3g deg", value * 180 / M_PI);
-  } else if (number.unit == "s") {
-    std::snprintf(text, sizeof text, "%.3g ms", value * 1000);
-  } else if (number.unit.empty()) {
-    std::snprintf(text, sizeof text, "%.3g", value);
-  } else {
-    std::snprintf(text, sizeof text, "%.3g %s", value, number.unit.c_str());
-  }
-  return text;
+std::string valueText(const FoundNumber& number) { return textOf(number.value, number.unit); }
+
+std::string intervalText(const FoundNumber& number) {
+  const auto [low, high] = valueInterval(number);
+  return textOf(low, number.unit) + " to " + textOf(high, number.unit);
+}
+
+std::string deviationIntervalText(const FoundNumber& number) {
+  return textOf(number.low, number.unit) + " to " + textOf(number.high, number.unit);
 }
 
 bool JointVerdict::scattersOtherwise() const {

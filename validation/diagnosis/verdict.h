@@ -1,7 +1,10 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "validation/diagnosis/number_form.h"
 
 namespace nao::validation {
 
@@ -13,7 +16,14 @@ struct FoundNumber {
   double value = 0;          // of the effect's parameter
   double deviation = 0;      // from the nominal model
   double low = 0, high = 0;  // 90 % interval of the deviation
+  Form form = Form::Offset;  // how the value follows from the deviation
 };
+
+/// The value [unit] that a number has at another deviation; infinite for a limit at none.
+double valueAt(const FoundNumber& number, double deviation);
+
+/// The 90 % interval of the value [unit], the smaller end first.
+std::pair<double, double> valueInterval(const FoundNumber& number);
 
 /// The numbers of a cause at a fit's `x`; their intervals are the numbers themselves.
 std::vector<FoundNumber> foundNumbers(const Cause& cause, const std::vector<double>& x);
@@ -23,6 +33,11 @@ bool mayBeSmall(double low, double high, double smallest);
 
 /// "12.3 ms", "0.4 deg": as the report writes it.
 std::string valueText(const FoundNumber& number);
+
+/// "12.1 ms to 12.5 ms": the 90 % interval of the value, or of the deviation from the nominal
+/// model.
+std::string intervalText(const FoundNumber& number);
+std::string deviationIntervalText(const FoundNumber& number);
 
 /// Another cause that explains the data about as well.
 struct Rival {

@@ -30,24 +30,17 @@ std::string headline(const WholeDiagnosis& diagnosis) {
   return text;
 }
 
-std::string intervalOf(const FoundNumber& number) {
-  FoundNumber low = number, high = number;
-  low.value = number.low;
-  high.value = number.high;
-  return valueText(low) + " to " + valueText(high);
-}
-
 TextTable findingsOf(const WholeDiagnosis& diagnosis) {
   TextTable table{"Found",
-                  {"where", "cause", "value", "90 % of the deviation", "gain [nats]", "held out",
-                   "rivals", "to tell them apart", "such statements before"},
+                  {"where", "cause", "value", "90 % interval", "gain [nats]", "held out", "rivals",
+                   "to tell them apart", "such statements before"},
                   {}};
   for (const JointVerdict& place : diagnosis.set.joints) {
     for (const Finding& finding : place.findings) {
       std::string values, intervals, rivals;
       for (const FoundNumber& number : finding.numbers) {
         values += number.parameter + " " + valueText(number) + " ";
-        intervals += intervalOf(number) + " ";
+        intervals += intervalText(number) + " ";
       }
       for (const Rival& rival : finding.rivals) rivals += rival.cause + " ";
       if (finding.one_motion_only) rivals += "(no block held back shows it)";

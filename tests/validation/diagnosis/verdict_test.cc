@@ -1,0 +1,31 @@
+#include "validation/diagnosis/verdict.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace nao::validation {
+namespace {
+
+FoundNumber delay() { return {"delay", "s", 0.0123, 0.0023, 0.0021, 0.0025, Form::Offset}; }
+FoundNumber rate() { return {"rate", "rad/s", 5, 0.2, 0.16, 0.25, Form::Inverse}; }
+
+TEST(FoundNumbers, HaveTheirIntervalInTheUnitOfTheirValue) {
+  const auto [low, high] = valueInterval(delay());
+  EXPECT_DOUBLE_EQ(low, 0.0121);
+  EXPECT_DOUBLE_EQ(high, 0.0125);
+  EXPECT_EQ(intervalText(delay()), "12.1 ms to 12.5 ms");
+  EXPECT_EQ(deviationIntervalText(delay()), "2.1 ms to 2.5 ms");
+}
+
+// What is fitted of a limit is one part of it: its interval lies the other way round.
+TEST(FoundNumbers, OfALimitAreTurnedOver) {
+  EXPECT_EQ(valueInterval(rate()), std::make_pair(4.0, 6.25));
+  FoundNumber open = rate();
+  open.low = 0;
+  EXPECT_EQ(valueInterval(open).first, 4);
+  EXPECT_TRUE(std::isinf(valueInterval(open).second));
+}
+
+}  // namespace
+}  // namespace nao::validation
