@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kFollowed = 3, kShortened = 3, kNarrowed = 5;  // steps
 constexpr double kFar = 3;                                   // times a size, in one step
+constexpr int kHalves = 2, kHalvesIfRough = 5;               // of a way that is tried
 constexpr double kNear = 0.08;                               // of a size: not worth a step
 constexpr double kBeside = 0.02;                             // of a size, for a slope
 constexpr double kStopStep = 1.12;                           // from one size to the next
@@ -118,17 +119,26 @@ SizeSearch::Point SizeSearch::shortened(Point best) const {
   return best;
 }
 
-// To where the cause would be best if it were linear, or half the way, until it hardly moves.
+// To where the cause would be best if it were linear, or part of the way, until it hardly moves.
 SizeSearch::Point SizeSearch::followed(Point best) const {
   for (int i = 0; i < kFollowed; ++i) {
     const double factor = std::clamp(best.scale, 1 / kFar, kFar);
     if (std::abs(factor - 1) < kNear) break;
-    Point next = scaled(best, factor);
-    if (!isWorse(best, next)) next = scaled(best, std::sqrt(factor));
+    const Point next = partOfTheWay(best, factor);
     if (!isWorse(best, next)) break;
     best = next;
   }
   return best;
+}
+
+// All of it, half, and where valleys are narrow, such as a rate limit's, still less.
+SizeSearch::Point SizeSearch::partOfTheWay(const Point& from, double factor) const {
+  const int tried = causes_[cause_].linear ? kHalves : kHalvesIfRough;
+  for (int i = 0; i < tried; ++i, factor = std::sqrt(factor)) {
+    const Point next = scaled(from, factor);
+    if (isWorse(from, next)) return next;
+  }
+  return from;
 }
 
 SizeSearch::Point SizeSearch::withSize(const Point& from, double size) const {

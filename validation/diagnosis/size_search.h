@@ -42,6 +42,7 @@ class SizeSearch {
   Point alongBend(Point best) const;
   Point shortened(Point best) const;
   Point followed(Point best) const;
+  Point partOfTheWay(const Point& from, double factor) const;
   Point withSize(const Point& from, double size) const;
   Point scaled(const Point& from, double factor) const;
   Response responseTo(double size) const;

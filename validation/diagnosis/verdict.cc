@@ -29,18 +29,23 @@ int gravity(Verdict verdict) {
   return 0;
 }
 
-std::string textOf(double value, const std::string& unit) {
-  char text[64];
-  if (unit == "rad") {
-    std::snprintf(text, sizeof text, "%.3g deg", value * 180 / M_PI);
-  } else if (unit == "s") {
-    std::snprintf(text, sizeof text, "%.3g ms", value * 1000);
-  } else if (unit.empty()) {
-    std::snprintf(text, sizeof text, "%.3g", value);
-  } else {
-    std::snprintf(text, sizeof text, "%.3g %s", value, unit.c_str());
-  }
-  return text;
+std::string textOf(double value, const std::string& unit, int digits = 3) {
+  const auto with = [digits](double number, const std::string& name) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*g", digits, number);
+    return name.empty() ? text : text + (" " + name);
+  };
+  if (unit == "rad") return with(value * 180 / M_PI, "deg");
+  if (unit == "s") return with(value * 1000, "ms");
+  return with(value, unit);
+}
+
+// By as many digits as tell its ends apart.
+std::string textOf(double low, double high, const std::string& unit) {
+  constexpr int kMost = 7;
+  int digits = 3;
+  while (digits < kMost && textOf(low, unit, digits) == textOf(high, unit, digits)) ++digits;
+  return textOf(low, unit, digits) + " to " + textOf(high, unit, digits);
 }
 
 }  // namespace
@@ -72,11 +77,11 @@ std::string valueText(const FoundNumber& number) { return textOf(number.value, n
 
 std::string intervalText(const FoundNumber& number) {
   const auto [low, high] = valueInterval(number);
-  return textOf(low, number.unit) + " to " + textOf(high, number.unit);
+  return textOf(low, high, number.unit);
 }
 
 std::string deviationIntervalText(const FoundNumber& number) {
-  return textOf(number.low, number.unit) + " to " + textOf(number.high, number.unit);
+  return textOf(number.low, number.high, number.unit);
 }
 
 bool JointVerdict::scattersOtherwise() const {

@@ -18,6 +18,12 @@ TEST(FoundNumbers, HaveTheirIntervalInTheUnitOfTheirValue) {
   EXPECT_EQ(deviationIntervalText(delay()), "2.1 ms to 2.5 ms");
 }
 
+TEST(FoundNumbers, HaveAsManyDigitsAsTheirIntervalNeeds) {
+  FoundNumber narrow = delay();
+  narrow.low = 0.002301, narrow.high = 0.002302;
+  EXPECT_EQ(intervalText(narrow), "12.301 ms to 12.302 ms");
+}
+
 // What is fitted of a limit is one part of it: its interval lies the other way round.
 TEST(FoundNumbers, OfALimitAreTurnedOver) {
   EXPECT_EQ(valueInterval(rate()), std::make_pair(4.0, 6.25));
