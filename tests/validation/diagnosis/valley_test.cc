@@ -29,6 +29,14 @@ TEST(Valley, OfAParabolaIsMetExactly) {
   EXPECT_NEAR(lowestAlong(cost, -0.02, -1, 1), -0.03, 1e-12);
 }
 
+// A motor that is left with a tenth of its torque follows, with less it does not: beyond the lowest
+// place costs rise at once. Such a limit of an ankle was left at where its fit began, and told as a
+// weak gain.
+TEST(Valley, WithOneSteepSideIsNarrowedDown) {
+  const auto cost = [](double x) { return x < -0.9 ? 8e5 * (-0.9 - x) : 4e3 * (x + 0.9); };
+  EXPECT_NEAR(lowestAlong(cost, -0.84, -1, 0), -0.9, 0.02);
+}
+
 TEST(Valley, EndsAtABound) {
   const auto cost = [](double x) { return -x; };
   EXPECT_EQ(lowestAlong(cost, 0.4, -1, 1), 1);
