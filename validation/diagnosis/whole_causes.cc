@@ -22,6 +22,9 @@ const std::vector<double> kEdges{0, -0.3, -0.6, -0.9, 0.3, 0.6};  // [rad]
 // error otherwise than so many times a small one.
 const std::vector<double> kZeros{0.01, 0.05, -0.05};  // [rad]
 
+// Of a leg's torque: motors are strong, little is seen before next to nothing is left.
+const std::vector<double> kWeak{-0.3, -0.6, -0.85};
+
 using Ids = std::vector<const char*>;
 
 // What one number for all joints can be wrong about.
@@ -104,6 +107,7 @@ class Builder {
     std::vector<double>& starts = numbers[0].starts;
     const std::size_t most = joints.empty() ? kStartsEverywhere : kStartsSomewhere;
     if (starts.size() > most) starts.resize(most);
+    if (cause.id == "torque_limit" && !joints.empty()) starts = kWeak;
   }
   // Of each joint, never looked for.
   void addSpread(const Ids& ids, const std::vector<Joint>& joints) {
