@@ -197,10 +197,12 @@ Picture drawProfile(const Finding& finding) {
   const auto upright = [&](double x, const std::string& label) {
     return Series{label, {x, x}, {0, most}, Stroke::Dashed, Ink::Black};
   };
-  Panel panel = makePanel(
-      "How much worse other values fit: " + finding.cause,
-      number.parameter + ", deviation [" + (number.unit.empty() ? "of nominal" : number.unit) + "]",
-      "gain lost [nats]");
+  const std::string unit = number.unit.empty() ? "of nominal" : number.unit;
+  const std::string axis = number.form == Form::Inverse
+                               ? "1 / " + number.parameter + " [1 / (" + unit + ")]"
+                               : number.parameter + ", deviation [" + unit + "]";
+  Panel panel =
+      makePanel("How much worse other values fit: " + finding.cause, axis, "gain lost [nats]");
   panel.key = "outside";
   panel.series = {curve, upright(number.low, "90 % interval"), upright(number.high, "")};
   return {"", {panel}, 1, 900, 300};

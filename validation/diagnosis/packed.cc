@@ -30,7 +30,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SharedStep, along, square, nulls)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SharedPart, cause, x, scanned, along, square, gain, lower, upper)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LinkLook, cause, x, gain)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(JointLooks, nulls, best, square, shared, links)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FoundNumber, parameter, unit, value, deviation, low, high)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FoundNumber, parameter, unit, value, deviation, low, high, form)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Rival, cause, numbers, behind)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProfilePoint, deviation, lost)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Confusion, causes, share)
@@ -56,7 +56,9 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ExaminedJoint, before, after, course)
 namespace {
 
 // A member that is missing above is a value that is lost: who adds one is stopped here.
-[[maybe_unused]] void countMembers(const Finding& finding, const JointVerdict& verdict) {
+[[maybe_unused]] void countMembers(const FoundNumber& number, const Finding& finding,
+                                   const JointVerdict& verdict) {
+  [[maybe_unused]] const auto& [pa, un, va, de, lo, hi, fo] = number;
   [[maybe_unused]] const auto& [c, e, n, g, s, f, b, h, o, m, r, t, x, p, co, k, re] = finding;
   [[maybe_unused]] const auto& [jo, ve, fi, ad, rj, nt, cg, mb, ma, rs, rc, sr, wr, rp, no, nn, ru,
                                 si, ki, rd] = verdict;

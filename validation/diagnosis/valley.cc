@@ -10,8 +10,8 @@ namespace {
 constexpr double kFactor = 1.6;  // from a number to its neighbour: free choice
 constexpr int kMostSteps = 6;    // a factor of 17
 constexpr int kMostHalvings = 3;
-constexpr double kChance =
-    50;  // [nats] of costs, thrice what was seen: no proof against a parabola
+// Of costs, thrice what was seen: no proof against a parabola.
+constexpr double kChance = 50;  // [nats]
 constexpr double kNear = 0.25;  // of what the better neighbour costs more
 
 struct Place {

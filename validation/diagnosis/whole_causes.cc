@@ -22,7 +22,7 @@ const std::vector<double> kEdges{0, -0.3, -0.6, -0.9, 0.3, 0.6};  // [rad]
 // error otherwise than so many times a small one.
 const std::vector<double> kZeros{0.01, 0.05, -0.05};  // [rad]
 
-// Of a leg's torque: motors are strong, little is seen before next to nothing is left.
+// Of the torque of a joint or a limb: motors are strong, a leg may walk on with a tenth of it.
 const std::vector<double> kWeak{-0.3, -0.6, -0.85};
 
 using Ids = std::vector<const char*>;

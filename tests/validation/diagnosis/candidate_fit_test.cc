@@ -158,7 +158,8 @@ TEST(CandidateFit, FindsTheBottomOfANarrowValley) {
   });
   LawSearch of("rate_limit", joint);
   const QuickFit fit = fitQuickly(of.ensemble, of.stage, of.causes, {0, {kStart}, 0}, of.effort);
-  EXPECT_GT(fit.gain, 0.97 * of.stage.white(of.stage.raw()).squaredNorm() / 2);
+  // A last step is not worth it below 8 % of the effect: 0.6 % of the gain, and chance.
+  EXPECT_GT(fit.gain, 0.99 * of.stage.white(of.stage.raw()).squaredNorm() / 2);
 }
 
 }  // namespace

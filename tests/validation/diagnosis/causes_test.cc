@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -9,6 +11,7 @@
 #include "tests/support/models.h"
 #include "tests/validation/diagnosis/toy_joint.h"
 #include "validation/diagnosis/cause_list.h"
+#include "validation/diagnosis/whole_causes.h"
 
 namespace nao::validation {
 namespace {
@@ -107,6 +110,21 @@ TEST(CauseList, OfLimbsAndRobotsHasOneNumberEach) {
       EXPECT_EQ(one.cause.free.size(), numbers) << level << " " << one.cause.id;
     }
   }
+}
+
+// An ankle that was left with 0.087 of its torque was no candidate: at 0.4 hardly anything shows.
+TEST(WholeCauses, LookAtLegJointsWithLittleTorque) {
+  const auto nao = nao::test::robot("nao_h21_v33");
+  std::vector<Joint> legs;
+  for (const char* name : {"LAnklePitch", "RAnklePitch"}) legs.push_back(*nao->findJoint(name));
+  int judged = 0;
+  for (const PlacedCause& one : robotCauses(*nao, legs)) {
+    if (one.cause.id != "torque_limit" || one.place == "robot") continue;
+    const std::vector<double>& starts = one.cause.free[0].starts;
+    EXPECT_LE(*std::min_element(starts.begin(), starts.end()), -0.8) << one.place;
+    ++judged;
+  }
+  EXPECT_GE(judged, 2);
 }
 
 TEST(CauseList, IsJsonToo) {

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <functional>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/random.h"
 #include "sim/effects/catalogue.h"

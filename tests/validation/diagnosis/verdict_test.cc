@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "validation/diagnosis/packed.h"
+
 namespace nao::validation {
 namespace {
 
@@ -31,6 +33,16 @@ TEST(FoundNumbers, OfALimitAreTurnedOver) {
   open.low = 0;
   EXPECT_EQ(valueInterval(open).first, 4);
   EXPECT_TRUE(std::isinf(valueInterval(open).second));
+}
+
+// Verdicts go from process to process and to a kept file as bytes. Without its form a limit's
+// interval was turned over no longer: 6.740 to 6.740 rad/s.
+TEST(FoundNumbers, KeepTheirFormWhenTheyAreKept) {
+  JointVerdict verdict;
+  verdict.findings.resize(1);
+  verdict.findings[0].numbers = {rate()};
+  const auto again = unpack<JointVerdict>(pack(verdict));
+  EXPECT_EQ(valueInterval(again.findings[0].numbers[0]), valueInterval(rate()));
 }
 
 }  // namespace
