@@ -38,7 +38,7 @@ RobotModel limbOf(const RigSet& set, Joint joint) {
 
 int inertiaEvery(Duration step) {
   constexpr Duration kInertiaStep = std::chrono::milliseconds(1);
-  return static_cast<int>(std::max<Duration::rep>(1, kInertiaStep / step));
+  return step < kInertiaStep ? static_cast<int>(kInertiaStep / step) : 2;
 }
 
 std::string keyOf(std::size_t motion, const std::vector<EffectSetting>& effects) {

@@ -49,7 +49,8 @@ class Limb {
 };
 
 /// How many steps of a limb go by one inertia (sim::InertiaCourse): 1 ms, by which a leg's angles
-/// are off by less than a hundredth of an encoder's count. 1 if a step is that long.
+/// are off by less than a hundredth of an encoder's count. Two of steps that are that long: these
+/// tell no more than what a cause changes.
 int inertiaEvery(Duration step);
 
 /// A name that two lists of effects in one motion share only if they are the same.
