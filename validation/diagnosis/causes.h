@@ -59,6 +59,10 @@ struct Cause {
   /// Of the number where it is x already: a part of a nominal value is one of what the robot has,
   /// stops are spread as zeros are.
   double spreadAt(double x) const;
+  /// One SD of what the number is off by because no robot keeps to a catalogue's law to the last
+  /// per cent, and what equal robots differ by acts through what is wrong as well: a part of x.
+  /// Nothing of a stop or a rate where commands end, which are read off.
+  double lawErrorAt(double x) const;
   /// The size is a rate: of interest is what comes to this on the mean of the longest run; 0: it is
   /// none.
   double smallest_mean = 0;

@@ -79,14 +79,16 @@ void addRounding(const JointData& data, const Stage& stage, const ModelFit& fit,
   }
 }
 
-// What equal robots differ by in the numbers themselves.
+// What equal robots differ by in the numbers themselves, and what laws leave out.
 void addSpread(const std::vector<Cause>& causes, const CauseList& model, Eigen::MatrixXd& moves) {
-  Random random(1, "undeclared numbers");
+  Random numbers(1, "undeclared numbers"), laws(1, "laws");
   Eigen::Index column = 0;
   for (const Chosen& one : model) {
     const double most = std::sqrt(3.0) * causes[one.cause].spreadAt(one.x[0]);
-    for (Eigen::Index n = 0; most > 0 && n < moves.rows(); ++n) {
-      moves(n, column) += random.uniform(-most, most);
+    const double law = causes[one.cause].lawErrorAt(one.x[0]);
+    for (Eigen::Index n = 0; n < moves.rows(); ++n) {
+      if (most > 0) moves(n, column) += numbers.uniform(-most, most);
+      moves(n, column) += law * laws.normal();
     }
     column += static_cast<Eigen::Index>(one.x.size());
   }

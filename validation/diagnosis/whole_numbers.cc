@@ -68,11 +68,12 @@ Eigen::VectorXd disagreement(const WholeTask& task, const WholeStage& stage, con
   return excess.cwiseMax(0);
 }
 
-// One SD of what equal robots differ by in each number itself; 0 of those that shape a cause.
-Eigen::VectorXd spreadOf(const WholeTask& task, const WholeModel& model) {
+// One SD of something in the first number of each cause; 0 of those that shape it.
+Eigen::VectorXd inSizes(const WholeTask& task, const WholeModel& model,
+                        double (Cause::*sd)(double) const) {
   std::vector<double> all;
   for (const WholeChosen& one : model) {
-    all.push_back((*task.causes)[one.cause].cause.spreadAt(one.x[0]));
+    all.push_back(((*task.causes)[one.cause].cause.*sd)(one.x[0]));
     all.resize(all.size() + one.x.size() - 1, 0);
   }
   return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
@@ -84,8 +85,9 @@ Eigen::MatrixXd drawNumbers(const WholeTask& task, const WholeStage& stage, cons
   if (fit.jacobian.cols() == 0 || stage.nulls().empty()) return {fit.jacobian.cols(), 0};
   const Steps steps(stage, fit);
   Eigen::MatrixXd draws = centred(stage, steps) * std::sqrt(1 + 1.0 / stage.simulatedPerRun());
-  const Eigen::VectorXd spread = spreadOf(task, fit.model);
-  const Eigen::VectorXd further = disagreement(task, stage, steps).cwiseSqrt();
+  const Eigen::VectorXd spread = inSizes(task, fit.model, &Cause::spreadAt);
+  const Eigen::VectorXd law = inSizes(task, fit.model, &Cause::lawErrorAt);
+  const Eigen::VectorXd further = (disagreement(task, stage, steps) + law.cwiseAbs2()).cwiseSqrt();
   Random random(1, "numbers of a whole robot");
   for (Eigen::Index set = 0; set < draws.cols(); ++set) {
     for (Eigen::Index i = 0; i < draws.rows(); ++i) {

@@ -46,6 +46,15 @@ TEST(JointCauses, ShrinkWhatTheModelHasByNoMoreThanThereIs) {
   EXPECT_NEAR(friction.spread, 0.1 / std::sqrt(3.0) * test::ToyLaws{}.coulomb, 1e-12);
 }
 
+TEST(JointCauses, AreLawsToOneOrTwoPerCentUnlessTheySayWhereSomethingEnds) {
+  const double error = cause("torque_bias").lawErrorAt(2);
+  EXPECT_GT(error, 0.01 * 2);
+  EXPECT_LT(error, 0.02 * 2);
+  EXPECT_DOUBLE_EQ(cause("torque_bias").lawErrorAt(-2), error);
+  EXPECT_EQ(cause("joint_stop.upper").lawErrorAt(-0.3), 0);
+  EXPECT_EQ(cause("rate_limit").lawErrorAt(0.2), 0);
+}
+
 // A spring that hardens was told as a spring and a ripple of 4 periods per turn, of which the
 // joint's range shows nine tenths of one.
 TEST(JointCauses, ARippleShowsAWholePeriodAtLeast) {

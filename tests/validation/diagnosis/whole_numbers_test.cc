@@ -88,7 +88,8 @@ TEST_F(WholeNumbersTest, MayBeOffByWhatEqualRobotsDifferBy) {
   const double chance = varianceOf(drawNumbers(task_, stage, fit));
   EXPECT_GT(chance, 0);
   causes_[0].cause.spread = 0.5;
-  const double spread = causes_[0].cause.spreadAt(kTruth);
+  const double spread =
+      causes_[0].cause.spreadAt(kTruth);  // beside it what a law leaves out is nothing
   // 200 draws: a variance is known to a tenth, thrice that is allowed.
   EXPECT_NEAR(varianceOf(drawNumbers(task_, stage, fit)) / (chance + spread * spread), 1, 0.3);
 }
