@@ -135,7 +135,8 @@ std::string keyOf(const Arguments& arguments, const validation::Provenance& prov
          "\nrobots " +
          validation::sha256OfFolder(findSourceFile(arguments.robots_dir), {arguments.out}) +
          "\nlevel " + arguments.level + "\njoint " + arguments.joint + "\nbudget " +
-         arguments.budget + "\n";
+         arguments.budget + "\nfrom " +
+         (arguments.from.empty() ? "" : validation::sha256OfFolder(arguments.from)) + "\n";
 }
 
 // The first process decides whether what is there is of this diagnosis.
@@ -188,7 +189,8 @@ int leastRepeats(const validation::LogSet& set) {
 
 // Limb and robot level: the whole robot is replayed.
 void runWhole(const Arguments& arguments, const validation::LogSet& set,
-              const std::shared_ptr<const RobotModel>& model, const std::string& name) {
+              const std::shared_ptr<const RobotModel>& model, const std::string& name,
+              StandBy& stand_by) {
   if (!arguments.joint.empty()) {
     throw InputError("--joint " + arguments.joint + ": expected --level joint");
   }
@@ -201,11 +203,13 @@ void runWhole(const Arguments& arguments, const validation::LogSet& set,
   }
   if (!arguments.budget.empty()) options.seconds = secondsOf(arguments.budget);
   options.progress = [](const std::string& what) { std::fprintf(stderr, "%s\n", what.c_str()); };
+  const validation::Provenance provenance = provenanceOf(arguments, set, name);
+  options.kept = takeUp(arguments, provenance, validation::Team(), stand_by);
   auto found = validation::diagnoseWhole(set, model, options);
   addRecords(found.set, records, arguments.level, "whole robot", leastRepeats(set));
-  const validation::Provenance provenance = provenanceOf(arguments, set, name);
   const std::string json = toJson(found, provenance);
   writeReport(arguments, json, arguments.out.empty() ? "" : wholePage(found, provenance));
+  options.kept.discard();
   report(arguments, json, toText(found), found.set.verdict);
 }
 
@@ -248,12 +252,12 @@ void diagnose(const Arguments& arguments, const std::shared_ptr<const validation
   if (arguments.level == "joint") {
     runJoints(arguments, set, model, name, team, stand_by);
   } else if (team->rank() == 0) {  // the others have nothing to do
-    runWhole(arguments, set, model, name);
+    runWhole(arguments, set, model, name, stand_by);
   }
 }
 
 void run(const Arguments& arguments) {
-  StandBy stand_by(arguments.out.empty() || arguments.level != "joint"
+  StandBy stand_by(arguments.out.empty()
                        ? "interrupted; nothing was kept"
                        : "interrupted; the same command goes on with what is finished in " +
                              arguments.out + kKept);

@@ -5,6 +5,8 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
+#include <thread>
 
 #include "core/check.h"
 #include "core/files.h"
@@ -54,7 +56,9 @@ std::optional<std::string> KeptWork::find(const std::string& unit) const {
 void KeptWork::keep(const std::string& unit, const std::string& content) const {
   if (!keeps()) return;
   const std::string file = fileOf(unit);
-  const std::string unfinished = file + "." + std::to_string(::getpid());
+  std::ostringstream unfinished_name;  // of this thread alone
+  unfinished_name << file << '.' << ::getpid() << '.' << std::this_thread::get_id();
+  const std::string unfinished = unfinished_name.str();
   writeFile("", unfinished, content + kWhole);
   std::error_code failed;
   fs::rename(unfinished, file, failed);

@@ -8,7 +8,7 @@ namespace nao::validation {
 
 /// What a long work has finished so far, in a folder of its own: a file per unit, which is there
 /// whole or not at all, so that a work that was cut off goes on where it stood. Any thread may keep
-/// and find; no two the same unit.
+/// and find; who keeps the same unit as another keeps the same in it.
 class KeptWork {
  public:
   enum class Found { Nothing, Same, Other };

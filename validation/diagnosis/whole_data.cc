@@ -1,6 +1,8 @@
 #include "validation/diagnosis/whole_data.h"
 
 #include <algorithm>
+#include <limits>
+#include <sstream>
 
 #include "core/check.h"
 #include "validation/diagnosis/team.h"
@@ -25,6 +27,17 @@ Eigen::VectorXd meanOfThose(const std::vector<Eigen::VectorXd>& some) {
 
 bool areOf(Blocks blocks, Split split) {
   return blocks == Blocks::All || (blocks == Blocks::Fit) == (split == Split::Fit);
+}
+
+// What decides what is simulated, all digits of it.
+template <class... Numbers>
+std::string sentence(const char* what, Numbers... numbers) {
+  std::ostringstream text;
+  text.precision(std::numeric_limits<double>::max_digits10);
+  text << what;
+  ((text << ' ' << numbers), ...);
+  text << '\n';
+  return text.str();
 }
 
 }  // namespace
@@ -99,8 +112,15 @@ void WholeData::learnStepErrors(int runs, double noise, int jobs) {
   if (limbs_) return;
   step_error_.clear();
   for (std::size_t block = 0; block < spaces_.size(); ++block) {
-    const Eigen::VectorXd exact = meanOf(block, Pace::Exact, runs, noise, jobs);
-    const Eigen::VectorXd coarse = meanOf(block, Pace::Coarse, runs, noise, jobs);
+    const auto mean = [&](Pace pace) {
+      const std::string what = sentence("step error", block, static_cast<int>(pace), runs, noise);
+      used_ += runs * (pace == Pace::Exact ? kExactCost : 1);
+      const WholePool kept = kept_.remember(what + textOf(given_), [&] {
+        return WholePool{{meanOf(block, pace, runs, noise, jobs)}};
+      });
+      return kept[0][0];
+    };
+    const Eigen::VectorXd exact = mean(Pace::Exact), coarse = mean(Pace::Coarse);
     step_error_.emplace_back(exact - coarse);
     if (exact.size() == 0 || coarse.size() == 0) step_error_.back().setZero(spaces_[block].size());
   }
@@ -118,7 +138,6 @@ Eigen::VectorXd WholeData::meanOf(std::size_t block, Pace pace, int count, doubl
     const WholeRun played = simulator_.simulate(given_, run, stream, noise, pace);
     if (!played.fell) features[i] = spaces_[block].of(played);
   });
-  used_ += count * (pace == Pace::Exact ? kExactCost : 1);
   return meanOfThose(features);
 }
 
@@ -136,6 +155,15 @@ WholePool WholeData::simulate(const std::vector<EffectSetting>& causes, int per_
   std::vector<EffectSetting> acting = given_;
   acting.insert(acting.end(), causes.begin(), causes.end());
   used_ += static_cast<long>(orders.size());
+  const std::string what = sentence("runs", per_run, most, static_cast<int>(blocks), streams, noise,
+                                    static_cast<int>(pace), step_error_.size()) +
+                           textOf(acting);
+  return kept_.remember(what, [&] { return run(acting, orders, noise, jobs, pace); });
+}
+
+// The features of all that stands; of a block of which most fell, of all.
+WholePool WholeData::run(const std::vector<EffectSetting>& acting, const std::vector<Order>& orders,
+                         double noise, int jobs, Pace pace) const {
   std::vector<Eigen::VectorXd> features(orders.size());
   std::vector<char> fell(orders.size(), 0);
   inParallel(orders.size(), jobs, [&](std::size_t i) {

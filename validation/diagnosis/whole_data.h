@@ -8,13 +8,11 @@
 #include <Eigen/Core>
 
 #include "validation/diagnosis/halves.h"
+#include "validation/diagnosis/kept_runs.h"
 #include "validation/diagnosis/limb_replay.h"
 #include "validation/diagnosis/whole_features.h"
 
 namespace nao::validation {
-
-/// Simulated runs of a set: by measured run, as many as asked for.
-using WholePool = std::vector<std::vector<Eigen::VectorXd>>;
 
 /// Which blocks are simulated: all, those to fit, or those held back.
 enum class Blocks { All, Fit, Held };
@@ -38,6 +36,9 @@ class WholeData {
 
   /// Effects that act in every run simulated from now on, whatever else is tried.
   void give(std::vector<EffectSetting> effects) { given_ = std::move(effects); }
+
+  /// From now on what is simulated is kept there, or found there.
+  void keepIn(KeptRuns kept) { kept_ = std::move(kept); }
 
   /// A measured run anew: by the limbs of the joints alone if they hang and nothing else counts. Of
   /// others all runs are coarse.
@@ -75,10 +76,13 @@ class WholeData {
   };
   std::vector<Order> ordersFor(int per_run, std::size_t most, Blocks blocks,
                                std::uint64_t streams) const;
+  WholePool run(const std::vector<EffectSetting>& acting, const std::vector<Order>& orders,
+                double noise, int jobs, Pace pace) const;
 
   const WholeSimulator& simulator_;
   std::unique_ptr<LimbReplay> limbs_, coarse_;
   std::vector<EffectSetting> given_;
+  KeptRuns kept_;
   std::vector<Eigen::VectorXd> step_error_;  // by block; empty: not known
   double step_error_variance_ = 0;
   mutable std::atomic<long> used_{0};

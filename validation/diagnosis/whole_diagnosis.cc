@@ -6,6 +6,7 @@
 #include <map>
 
 #include "validation/diagnosis/gait_numbers.h"
+#include "validation/diagnosis/packed.h"
 #include "validation/log/log_robots.h"
 
 namespace nao::validation {
@@ -34,11 +35,13 @@ class RobotCase {
         prefix_(alone ? "" : robot_ + "/"),
         options_(options),
         simulator_(runsOf(set, robot_), model),
+        kept_(options.kept.part(robot_)),
         into_(into) {}
 
   // `false_alarms`: of this robot.
   void diagnose(double false_alarms) {
     WholeData data(simulator_, simulator_.judged(), options_.level == Level::Robot);
+    data.keepIn(KeptRuns(kept_.part("robot")));
     tell("comparing the scatter of the repeats");
     spread_ = fitSpread(data, {}, options_.effort.base_runs, options_.jobs);
     data.learnStepErrors(options_.effort.step_runs, spread_.noise, options_.jobs);
@@ -72,6 +75,7 @@ class RobotCase {
         continue;
       }
       parts.push_back({limb, joints, std::make_unique<WholeData>(simulator_, joints, false), 0});
+      parts.back().data->keepIn(KeptRuns(kept_.part(limb)));
       parts.back().off = calcOff(*parts.back().data);
     }
     std::stable_sort(parts.begin(), parts.end(),
@@ -134,7 +138,7 @@ class RobotCase {
     auto provisional = provisionalAmong(causes, options_.handed_on, joints, simulator_.model(),
                                         simulator_.judged());
     const WholeTask task{&data,         &causes,       options_.effort,
-                         spread_.noise, options_.jobs, grantedRuns(data)};
+                         spread_.noise, options_.jobs, grantedRuns(data, whole)};
     WholeSearch search(
         task, spread_, [&](const std::string& what) { tell(whole + ": " + what); }, false_alarms,
         std::move(provisional));
@@ -156,14 +160,20 @@ class RobotCase {
     }
   }
 
-  // How many runs the time pays for, from what some cost here and now.
-  long grantedRuns(const WholeData& data) const {
+  // How many runs the time pays for; one that goes on was told so before.
+  long grantedRuns(const WholeData& data, const std::string& whole) const {
     if (options_.seconds <= 0) return kNoLimit;
+    const auto count = [&] { return pack(data.used() + runsWithin(options_.seconds, data)); };
+    return unpack<long>(kept_.part(whole).remember("budget", count));
+  }
+
+  // From what some cost here and now.
+  long runsWithin(double seconds, const WholeData& data) const {
     const auto begin = std::chrono::steady_clock::now();
     constexpr int kRuns = 3;
     for (int i = 0; i < kRuns; ++i) data.replay({}, 0, 1u + i, spread_.noise, Pace::Coarse);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-    return data.used() + std::lround(options_.seconds * options_.jobs / (taken.count() / kRuns));
+    return std::lround(seconds * options_.jobs / (taken.count() / kRuns));
   }
 
   void addVerdict(const WholeVerdict& found, const std::string& whole) {
@@ -285,6 +295,7 @@ class RobotCase {
   std::string robot_, prefix_;
   const WholeDiagnosisOptions& options_;
   WholeSimulator simulator_;
+  KeptWork kept_;
   WholeDiagnosis& into_;
   WholeSpread spread_;
   double left_noise_ = 1;  // with what was found last

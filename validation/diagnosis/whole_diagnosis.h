@@ -24,6 +24,7 @@ struct WholeDiagnosisOptions {
   double seconds =
       0;  // of wall time to take, about; which runs it pays for is settled at the start; 0: all
   std::function<void(const std::string&)> progress;
+  KeptWork kept;  // where a diagnosis that was cut off finds what it simulated
 };
 
 /// A gait number of the runs of one motion that serve for one thing, measured and simulated.

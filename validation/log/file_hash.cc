@@ -80,4 +80,10 @@ std::string sha256OfFolder(const std::string& folder, const std::vector<std::str
   return hash.hexadecimal();
 }
 
+std::string sha256Of(const std::string& text) {
+  Sha256 hash;
+  hash.add(text.data(), text.size());
+  return hash.hexadecimal();
+}
+
 }  // namespace nao::validation

@@ -10,4 +10,7 @@ namespace nao::validation {
 /// @throws InputError if the folder or a file of it can not be read.
 std::string sha256OfFolder(const std::string& folder, const std::vector<std::string>& except = {});
 
+/// The same of a text.
+std::string sha256Of(const std::string& text);
+
 }  // namespace nao::validation

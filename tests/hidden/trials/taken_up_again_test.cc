@@ -93,6 +93,11 @@ class TakenUpAgain : public testing::Test {
     return read(folder / "report.json") + read(folder / "report.html");
   }
   std::string log() const { return folder_.path() + "/log.txt"; }
+  std::vector<std::string> atLimbLevel(const std::string& out) const {
+    std::vector<std::string> words = command(out, {});
+    words.insert(words.end(), {"--level", "limb"});
+    return words;
+  }
   // report.json and report.html.
   std::string diagnosed(const std::string& out, const std::vector<std::string>& before) const {
     exitCodeOf(start(command(out, before), log()));
@@ -118,6 +123,22 @@ TEST_F(TakenUpAgain, AfterItWasKilledItWritesTheSame) {
   }
   EXPECT_NE(read(log()).find("the same command goes on"), std::string::npos) << read(log());
   EXPECT_EQ(diagnosed("cut", {}), whole_);
+  EXPECT_NE(read(log()).find("going on with what is finished"), std::string::npos) << read(log());
+}
+
+// Where a whole limb is replayed each simulated run is kept.
+TEST_F(TakenUpAgain, AtLimbLevelItWritesTheSameAfterItWasKilled) {
+  const int said = exitCodeOf(start(atLimbLevel("limb"), log()));
+  const std::string whole = reports("limb");
+  ASSERT_GT(whole.size(), 1000u);
+  const std::string kept = folder_.path() + "/cut/unfinished";
+  fs::create_directories(kept);
+  const pid_t child = start(atLimbLevel("cut"), log());
+  for (int runs = 0; runs < 20; ++runs) awaitFile(kept, ".unit");
+  kill(child, SIGKILL);
+  EXPECT_EQ(exitCodeOf(child), 128 + SIGKILL);
+  EXPECT_EQ(exitCodeOf(start(atLimbLevel("cut"), log())), said);
+  EXPECT_EQ(reports("cut"), whole);
   EXPECT_NE(read(log()).find("going on with what is finished"), std::string::npos) << read(log());
 }
 

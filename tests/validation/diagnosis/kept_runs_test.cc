@@ -1,0 +1,60 @@
+#include "validation/diagnosis/kept_runs.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests/core/temporary_folder.h"
+
+namespace nao::validation {
+namespace {
+
+class KeptRunsTest : public testing::Test {
+ protected:
+  KeptRuns open() const { return KeptRuns(KeptWork(folder_.path() + "/kept", "key")); }
+  TemporaryFolder folder_;
+};
+
+TEST_F(KeptRunsTest, AreSimulatedOnceAndComeBackToTheBit) {
+  const double huge = std::numeric_limits<double>::infinity();
+  const WholePool made = {{Eigen::Vector3d(1.0 / 3, -0.0, huge), Eigen::VectorXd()}, {}, {}};
+  int simulated = 0;
+  const auto simulate = [&] {
+    ++simulated;
+    return made;
+  };
+  EXPECT_EQ(open().remember("a walk", simulate), made);
+  const WholePool found = open().remember("a walk", simulate);
+  EXPECT_EQ(simulated, 1);
+  EXPECT_EQ(found, made);
+  EXPECT_TRUE(std::signbit(found[0][0][1]));
+  open().remember("another walk", simulate);
+  EXPECT_EQ(simulated, 2);
+}
+
+TEST_F(KeptRunsTest, AreSimulatedEachTimeIfNothingIsKept) {
+  int simulated = 0;
+  const auto simulate = [&] {
+    ++simulated;
+    return WholePool();
+  };
+  KeptRuns().remember("a walk", simulate);
+  KeptRuns().remember("a walk", simulate);
+  EXPECT_EQ(simulated, 2);
+}
+
+TEST(KeptRuns, TellEffectsApartByJointAndByTheLastDigit) {
+  const EffectSetting at_one{"torque_bias", {{"torque", 0.1}}, {toJoint(1)}, "here"};
+  EffectSetting elsewhere = at_one, next = at_one, asked_elsewhere = at_one;
+  elsewhere.joints = {toJoint(2)};
+  next.parameters["torque"] = std::nextafter(0.1, 1);
+  asked_elsewhere.place = "there";  // acts alike
+  EXPECT_NE(textOf({at_one}), textOf({elsewhere}));
+  EXPECT_NE(textOf({at_one}), textOf({next}));
+  EXPECT_NE(textOf({at_one}), textOf({at_one, at_one}));
+  EXPECT_EQ(textOf({at_one}), textOf({asked_elsewhere}));
+}
+
+}  // namespace
+}  // namespace nao::validation

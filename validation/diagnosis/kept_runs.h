@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/robot_model.h"
+#include "validation/diagnosis/kept_work.h"
+
+namespace nao::validation {
+
+/// Simulated runs of a set: by measured run, as many as asked for.
+using WholePool = std::vector<std::vector<Eigen::VectorXd>>;
+
+/// What a diagnosis of the limb or robot level simulated, so that one that was cut off need not do
+/// it again. A search asks the same in the same order, whatever the number of threads. Any thread.
+class KeptRuns {
+ public:
+  /// Keeps nothing.
+  KeptRuns() = default;
+  explicit KeptRuns(KeptWork kept) : kept_(std::move(kept)) {}
+
+  /// The runs that `what` names in full, as they were kept or as `simulate` gives them now.
+  WholePool remember(const std::string& what, const std::function<WholePool()>& simulate) const;
+
+ private:
+  KeptWork kept_;
+};
+
+/// Names, joints and all digits of the numbers: two lists that do not act alike have two texts.
+std::string textOf(const std::vector<EffectSetting>& effects);
+
+}  // namespace nao::validation
