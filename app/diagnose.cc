@@ -202,7 +202,7 @@ void runWhole(const Arguments& arguments, const validation::LogSet& set,
     options.handed_on = validation::readHandedOn(arguments.from + "/report.json", arguments.level);
   }
   if (!arguments.budget.empty()) options.seconds = secondsOf(arguments.budget);
-  options.progress = [](const std::string& what) { std::fprintf(stderr, "%s\n", what.c_str()); };
+  options.progress = [&](const std::string& what, double part) { stand_by.tell(what, part); };
   const validation::Provenance provenance = provenanceOf(arguments, set, name);
   options.kept = takeUp(arguments, provenance, validation::Team(), stand_by);
   auto found = validation::diagnoseWhole(set, model, options);

@@ -7,6 +7,7 @@
 
 #include "validation/diagnosis/gait_numbers.h"
 #include "validation/diagnosis/packed.h"
+#include "validation/diagnosis/search_progress.h"
 #include "validation/log/log_robots.h"
 
 namespace nao::validation {
@@ -38,16 +39,19 @@ class RobotCase {
         kept_(options.kept.part(robot_)),
         into_(into) {}
 
-  // `false_alarms`: of this robot.
-  void diagnose(double false_alarms) {
+  // `false_alarms`: of this robot, one of so many.
+  void diagnose(double false_alarms, std::size_t at, std::size_t robots) {
+    begun_ = static_cast<double>(at) / static_cast<double>(robots);
+    share_ = 1.0 / static_cast<double>(robots);
     WholeData data(simulator_, simulator_.judged(), options_.level == Level::Robot);
     data.keepIn(KeptRuns(kept_.part("robot")));
-    tell("comparing the scatter of the repeats");
+    tell("comparing the scatter of the repeats", begun_);
     spread_ = fitSpread(data, {}, options_.effort.base_runs, options_.jobs);
     data.learnStepErrors(options_.effort.step_runs, spread_.noise, options_.jobs);
     into_.spreads.push_back({robot_, spread_, spread_});
     const bool whole = options_.level == Level::Robot;
     add(notTriedAmong(options_.handed_on, whole, simulator_.model(), simulator_.judged()));
+    progress_ = SearchProgress(begun_, share_);
     if (whole) {
       search(data, robotCauses(simulator_.model(), simulator_.joints()), "robot", {}, false_alarms);
       listGait();
@@ -80,7 +84,9 @@ class RobotCase {
     }
     std::stable_sort(parts.begin(), parts.end(),
                      [](const Part& a, const Part& b) { return a.off > b.off; });
+    const double share = share_ / static_cast<double>(parts.size());
     for (const Part& part : parts) {
+      progress_ = SearchProgress(begun_ + share * static_cast<double>(&part - parts.data()), share);
       part.data->give(found_);
       part.data->learnStepErrors(options_.effort.step_runs, spread_.noise, options_.jobs);
       search(*part.data, limbCauses(simulator_.model(), part.limb, simulator_.joints()), part.limb,
@@ -140,8 +146,9 @@ class RobotCase {
     const WholeTask task{&data,         &causes,       options_.effort,
                          spread_.noise, options_.jobs, grantedRuns(data, whole)};
     WholeSearch search(
-        task, spread_, [&](const std::string& what) { tell(whole + ": " + what); }, false_alarms,
-        std::move(provisional));
+        task, spread_,
+        [&](const std::string& what) { tell(whole + ": " + what, progress_.nextPhase()); },
+        false_alarms, std::move(provisional));
     const WholeVerdict found = search.run();
     const std::vector<EffectSetting> effects = settingsOf(causes, found.model);
     found_.insert(found_.end(), effects.begin(), effects.end());
@@ -288,8 +295,8 @@ class RobotCase {
     for (const GaitNumber& number : calcGait(run)) moments[number.name].add(number.value);
   }
 
-  void tell(const std::string& what) const {
-    if (options_.progress) options_.progress(prefix_ + what);
+  void tell(const std::string& what, double part) const {
+    if (options_.progress) options_.progress(prefix_ + what, part);
   }
 
   std::string robot_, prefix_;
@@ -298,7 +305,9 @@ class RobotCase {
   KeptWork kept_;
   WholeDiagnosis& into_;
   WholeSpread spread_;
-  double left_noise_ = 1;  // with what was found last
+  double left_noise_ = 1;         // with what was found last
+  double begun_ = 0, share_ = 1;  // of all robots' work
+  SearchProgress progress_;       // of the present search
   std::vector<EffectSetting> found_;
   std::vector<std::string> left_out_;  // limbs, until a verdict says so
 };
@@ -310,9 +319,9 @@ WholeDiagnosis diagnoseWhole(const LogSet& set, const std::shared_ptr<const Robo
   constexpr double kFalseAlarms = 0.01;  // per whole data set
   WholeDiagnosis diagnosis;
   const std::vector<std::string> robots = robotsOf(set);
-  for (const std::string& robot : robots) {
-    RobotCase one(set, robot, robots.size() == 1, model, options, diagnosis);
-    one.diagnose(kFalseAlarms / static_cast<double>(robots.size()));
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    RobotCase one(set, robots[i], robots.size() == 1, model, options, diagnosis);
+    one.diagnose(kFalseAlarms / static_cast<double>(robots.size()), i, robots.size());
   }
   diagnosis.set.null_sets = options.effort.null_sets;
   diagnosis.set.verdict = overall(diagnosis.set.joints);

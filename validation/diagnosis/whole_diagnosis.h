@@ -23,7 +23,7 @@ struct WholeDiagnosisOptions {
   int jobs = 1;                     // threads; the result is the same for any number
   double seconds =
       0;  // of wall time to take, about; which runs it pays for is settled at the start; 0: all
-  std::function<void(const std::string&)> progress;
+  std::function<void(const std::string& what, double part)> progress;  // part: 0 to 1, never less
   KeptWork kept;  // where a diagnosis that was cut off finds what it simulated
 };
 

@@ -32,12 +32,14 @@ LogSet record(const std::vector<EffectSetting>& hidden, double noise, std::uint6
   return recordOnFloor(plan);
 }
 
-WholeDiagnosis diagnose(const LogSet& set,
-                        std::vector<std::string> only = {"kp_error at LShoulderPitch",
-                                                         "kp_error at RShoulderPitch",
-                                                         "encoder_offset at LShoulderPitch"},
-                        std::vector<HandedOn> handed_on = {}) {
+const std::vector<std::string> kShoulders{
+    "kp_error at LShoulderPitch", "kp_error at RShoulderPitch", "encoder_offset at LShoulderPitch"};
+
+WholeDiagnosis diagnose(const LogSet& set, std::vector<std::string> only = kShoulders,
+                        std::vector<HandedOn> handed_on = {},
+                        std::function<void(const std::string&, double)> progress = {}) {
   WholeDiagnosisOptions options;
+  options.progress = std::move(progress);
   options.only = std::move(only);
   options.handed_on = std::move(handed_on);
   options.effort.base_runs = options.effort.step_runs = 12;
@@ -67,7 +69,14 @@ TEST(WholeDiagnosis, OfTwoRobotsBlamesTheFaultyOne) {
     run.file = "other_" + run.file;
     set.runs.push_back(run);
   }
-  const WholeDiagnosis diagnosis = diagnose(set);
+  std::vector<double> parts;
+  const WholeDiagnosis diagnosis = diagnose(
+      set, kShoulders, {}, [&](const std::string&, double part) { parts.push_back(part); });
+  EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end()));
+  EXPECT_GE(parts.size(), 6u);  // scatter, looks and fits of both
+  EXPECT_EQ(parts.front(), 0);
+  EXPECT_EQ(std::count(parts.begin(), parts.end(), 0.5), 1);  // where the second robot begins
+  EXPECT_LT(parts.back(), 1);
   ASSERT_EQ(placesOf(diagnosis), "kp_error at other/LShoulderPitch; ");
   const Finding& found = *diagnosis.set.joints.back().named()[0];
   EXPECT_LT(found.numbers[0].low, -0.4);
