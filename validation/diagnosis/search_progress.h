@@ -12,6 +12,9 @@ class SearchProgress {
   /// One of several searches, that begins when `from` of all is done and is `share` of it.
   explicit SearchProgress(double from = 0, double share = 1) : from_(from), share_(share) {}
 
+  /// Of the time of all: what its phases after the scatter of the repeats may take.
+  double share() const { return share_ * kAhead; }
+
   /// As a phase begins.
   double nextPhase() { return from_ + share_ * (1 - kAhead * std::pow(kLeft, phases_++)); }
 

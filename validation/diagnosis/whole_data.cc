@@ -10,7 +10,8 @@
 namespace nao::validation {
 namespace {
 
-constexpr int kExactCost = 4;  // of a coarse run
+// In coarse runs: of a robot on its feet, and of limbs that hang.
+constexpr int kExactCost = 4, kExactLimbsCost = 3;
 constexpr std::uint64_t kStepErrorStream = 4;
 
 // Empty ones left out; empty if there is none.
@@ -154,7 +155,8 @@ WholePool WholeData::simulate(const std::vector<EffectSetting>& causes, int per_
   const std::vector<Order> orders = ordersFor(per_run, most, blocks, streams);
   std::vector<EffectSetting> acting = given_;
   acting.insert(acting.end(), causes.begin(), causes.end());
-  used_ += static_cast<long>(orders.size());
+  const int cost = limbs_ && pace == Pace::Exact ? kExactLimbsCost : 1;
+  used_ += cost * static_cast<long>(orders.size());
   const std::string what = sentence("runs", per_run, most, static_cast<int>(blocks), streams, noise,
                                     static_cast<int>(pace), step_error_.size()) +
                            textOf(acting);

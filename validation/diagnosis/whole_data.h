@@ -52,7 +52,7 @@ class WholeData {
   /// The chance in that, of the variance of a single run; 0 if nothing is made up for.
   double stepErrorVariance() const { return step_error_variance_; }
 
-  /// Runs simulated so far.
+  /// Runs simulated so far, exact ones as the coarse ones of their time.
   long used() const { return used_; }
 
   /// A vector per run of `by_run` (empty: left out), its mean by block, stacked.

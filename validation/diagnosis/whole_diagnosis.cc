@@ -170,7 +170,8 @@ class RobotCase {
   // How many runs the time pays for; one that goes on was told so before.
   long grantedRuns(const WholeData& data, const std::string& whole) const {
     if (options_.seconds <= 0) return kNoLimit;
-    const auto count = [&] { return pack(data.used() + runsWithin(options_.seconds, data)); };
+    const double seconds = options_.seconds * progress_.share();
+    const auto count = [&] { return pack(data.used() + runsWithin(seconds, data)); };
     return unpack<long>(kept_.part(whole).remember("budget", count));
   }
 

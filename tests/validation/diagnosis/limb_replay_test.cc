@@ -6,6 +6,7 @@
 
 #include "core/suspend.h"
 #include "tests/support/models.h"
+#include "validation/diagnosis/whole_data.h"
 #include "validation/log/simulated_recording.h"
 
 namespace nao::validation {
@@ -21,6 +22,7 @@ class HungRobot {
         coarse_(whole_, whole_.judged(), Pace::Coarse) {}
 
   const RobotModel& model() const { return *model_; }
+  const WholeSimulator& simulator() const { return whole_; }
   WholeRun whole(const std::vector<EffectSetting>& causes) const {
     return whole_.simulate(causes, 0, 1, 0, Pace::Coarse);
   }
@@ -100,6 +102,16 @@ TEST(LimbReplay, AStreamDrawsTheSameWhateverTheCausesAndAnotherDoesNot) {
   EXPECT_EQ(apart(robot, one, robot.noisy({bias}, 1), "HeadYaw"), 0);
   EXPECT_GT(apart(robot, one, robot.noisy({bias}, 1), "LElbowRoll"), 1e-2);
   EXPECT_GT(apart(robot, one, robot.noisy({}, 2), "HeadYaw"), 0);
+}
+
+// A budget counts in coarse runs: an exact one takes as long as three.
+TEST(LimbReplay, ExactRunsCostMore) {
+  const HungRobot robot({"HeadYaw"});
+  const WholeData data(robot.simulator(), robot.simulator().judged(), false);
+  data.simulate({}, 2, 1, Blocks::All, 1, 1, 1, Pace::Coarse);
+  EXPECT_EQ(data.used(), 2);
+  data.simulate({}, 2, 1, Blocks::All, 1, 1, 1, Pace::Exact);
+  EXPECT_EQ(data.used(), 2 + 3 * 2);
 }
 
 }  // namespace

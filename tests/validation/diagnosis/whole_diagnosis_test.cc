@@ -89,6 +89,18 @@ TEST(WholeDiagnosis, OfTwoRobotsBlamesTheFaultyOne) {
   EXPECT_FALSE(json["gait"].empty());
 }
 
+TEST(WholeDiagnosis, SaysUnfinishedOutOfBudgetNeverUnknown) {
+  WholeDiagnosisOptions options;
+  options.only = kShoulders;
+  options.effort.base_runs = options.effort.step_runs = 4;
+  options.seconds = 1e-6;
+  const WholeDiagnosis diagnosis =
+      diagnoseWhole(record({weakShoulder()}, 1, 3), test::robot("nao_h21_v33"), options);
+  EXPECT_EQ(diagnosis.set.verdict, Verdict::Unfinished);
+  EXPECT_EQ(placesOf(diagnosis), "");
+  EXPECT_GE(diagnosis.set.joints.front().not_tried.size(), kShoulders.size());
+}
+
 const std::vector<std::string> kInertialUnit{"imu_misalignment.x", "imu_misalignment.y",
                                              "imu_bias.acc_x",     "imu_bias.gyro_y",
                                              "imu_scale.acc",      "kp_error at LShoulderPitch"};
