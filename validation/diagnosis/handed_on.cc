@@ -1,6 +1,7 @@
 #include "validation/diagnosis/handed_on.h"
 
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "core/config.h"
@@ -13,8 +14,8 @@ using Json = nlohmann::json;
 
 int heightOf(const std::string& level) { return level == "joint" ? 0 : level == "limb" ? 1 : 2; }
 
-void add(const Json& cause, const std::string& place, bool alone, std::vector<HandedOn>& all) {
-  HandedOn one{place, cause.at("cause"), {}, alone};
+void add(const Json& cause, const ReportedPlace& place, bool alone, std::vector<HandedOn>& all) {
+  HandedOn one{place.name, cause.at("cause"), {}, alone, place.robot_id};
   const std::size_t at = one.cause.find(" at ");  // a rival elsewhere
   if (at != std::string::npos) {
     one.place = one.cause.substr(at + 4);
@@ -24,7 +25,7 @@ void add(const Json& cause, const std::string& place, bool alone, std::vector<Ha
   if (!one.x.empty()) all.push_back(std::move(one));  // "unknown" has none
 }
 
-void addAll(const Json& finding, const std::string& place, std::vector<HandedOn>& all) {
+void addAll(const Json& finding, const ReportedPlace& place, std::vector<HandedOn>& all) {
   if (finding.value("below_size_of_interest", false)) return;
   add(finding, place, finding.at("rivals").empty(), all);
   for (const Json& rival : finding.at("rivals")) add(rival, place, false, all);
@@ -65,15 +66,35 @@ std::vector<HandedOn> readHandedOn(const std::string& report_file, const std::st
     if (heightOf(from) >= heightOf(level)) {
       throw InputError(report_file + ": is of the " + from + " level, expected one below " + level);
     }
-    for (const Json& finding : report.at("shared")) addAll(finding, "robot", all);
+    for (const Json& finding : report.at("shared")) {
+      ReportedPlace place("robot");
+      place.robot_id = finding.value("robot_id", "");
+      addAll(finding, place, all);
+    }
     for (const Json& entry : report.at("joints")) {
       const ReportedPlace place(entry.at("joint"));
-      if (!place.robot_id.empty()) throw InputError(report_file + ": expected that of one robot");
-      for (const Json& finding : entry.at("findings")) addAll(finding, place.name, all);
+      for (const Json& finding : entry.at("findings")) addAll(finding, place, all);
     }
   });
   if (all.empty()) throw InputError(report_file + ": names no cause that could be handed on");
   return all;
+}
+
+std::vector<HandedOn> handedOnTo(const std::string& robot, const std::vector<HandedOn>& all) {
+  std::vector<HandedOn> some;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(some),
+               [&](const HandedOn& one) { return one.robot.empty() || one.robot == robot; });
+  return some;
+}
+
+void requireRobots(const std::vector<HandedOn>& all, const std::vector<std::string>& robots) {
+  for (const HandedOn& one : all) {
+    if (one.robot.empty()) continue;
+    if (std::find(robots.begin(), robots.end(), one.robot) == robots.end()) {
+      throw InputError("the report handed on is of robot " + one.robot +
+                       " too, of which the set has no run");
+    }
+  }
 }
 
 std::vector<Provisional> provisionalAmong(std::vector<PlacedCause>& causes,

@@ -16,12 +16,19 @@ struct HandedOn {
   std::string cause;      // id
   std::vector<double> x;  // deviations from nominal, one per number of the cause
   bool alone = false;     // named without a rival there
+  std::string robot{};    // of several; empty: whichever there is
 };
 
 /// All that `report_file` names, and the rivals of it that have a name. `level`: "limb" or "robot".
 /// @throws InputError for a file that is no report, one of a level that is not below `level`, and
 /// one that names nothing.
 std::vector<HandedOn> readHandedOn(const std::string& report_file, const std::string& level);
+
+/// Those of one robot of a set.
+std::vector<HandedOn> handedOnTo(const std::string& robot, const std::vector<HandedOn>& all);
+
+/// @throws InputError for one of a robot that is not among these.
+void requireRobots(const std::vector<HandedOn>& all, const std::vector<std::string>& robots);
 
 /// One of them in the search of a higher level.
 struct Provisional {

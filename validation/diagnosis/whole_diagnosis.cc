@@ -37,6 +37,7 @@ class RobotCase {
         options_(options),
         simulator_(runsOf(set, robot_), model),
         kept_(options.kept.part(robot_)),
+        handed_on_(handedOnTo(robot_, options.handed_on)),
         into_(into) {}
 
   // `false_alarms`: of this robot, one of so many.
@@ -50,7 +51,7 @@ class RobotCase {
     data.learnStepErrors(options_.effort.step_runs, spread_.noise, options_.jobs);
     into_.spreads.push_back({robot_, spread_, spread_});
     const bool whole = options_.level == Level::Robot;
-    add(notTriedAmong(options_.handed_on, whole, simulator_.model(), simulator_.judged()));
+    add(notTriedAmong(handed_on_, whole, simulator_.model(), simulator_.judged()));
     progress_ = SearchProgress(begun_, share_);
     if (whole) {
       search(data, robotCauses(simulator_.model(), simulator_.joints()), "robot", {}, false_alarms);
@@ -141,8 +142,8 @@ class RobotCase {
              (one.joints.size() == 1 && !isJudged(one.joints.front()));
     };
     causes.erase(std::remove_if(causes.begin(), causes.end(), unwanted), causes.end());
-    auto provisional = provisionalAmong(causes, options_.handed_on, joints, simulator_.model(),
-                                        simulator_.judged());
+    auto provisional =
+        provisionalAmong(causes, handed_on_, joints, simulator_.model(), simulator_.judged());
     const WholeTask task{&data,         &causes,       options_.effort,
                          spread_.noise, options_.jobs, grantedRuns(data, whole)};
     WholeSearch search(
@@ -304,6 +305,7 @@ class RobotCase {
   const WholeDiagnosisOptions& options_;
   WholeSimulator simulator_;
   KeptWork kept_;
+  std::vector<HandedOn> handed_on_;
   WholeDiagnosis& into_;
   WholeSpread spread_;
   double left_noise_ = 1;         // with what was found last
@@ -320,6 +322,7 @@ WholeDiagnosis diagnoseWhole(const LogSet& set, const std::shared_ptr<const Robo
   constexpr double kFalseAlarms = 0.01;  // per whole data set
   WholeDiagnosis diagnosis;
   const std::vector<std::string> robots = robotsOf(set);
+  requireRobots(options.handed_on, robots);
   for (std::size_t i = 0; i < robots.size(); ++i) {
     RobotCase one(set, robots[i], robots.size() == 1, model, options, diagnosis);
     one.diagnose(kFalseAlarms / static_cast<double>(robots.size()), i, robots.size());

@@ -57,6 +57,26 @@ TEST(HandedOn, IsWhatALowerLevelNamesAndTheRivalsOfIt) {
   EXPECT_THAT(all[1].x, ElementsAre(0.01));
 }
 
+TEST(HandedOn, OfSeveralRobotsGoesToItsOwn) {
+  const TemporaryFolder folder;
+  const auto all = readHandedOn(folder.write("report.json", R"({"level": "joint",
+    "shared": [{"cause": "command_latency", "rivals": [], "robot_id": "7",
+                "numbers": [{"parameter": "delay", "deviation": 0.004}]}],
+    "joints": [{"joint": "8/LKneePitch", "findings": [
+      {"cause": "backlash", "rivals": [], "numbers": [{"parameter": "width", "deviation": 0.01}]}
+    ]}]})"),
+                                "robot");
+  EXPECT_THAT(textsOf(handedOnTo("7", all)), ElementsAre("command_latency at robot"));
+  EXPECT_THAT(textsOf(handedOnTo("8", all)), ElementsAre("backlash at LKneePitch"));
+  EXPECT_NO_THROW(requireRobots(all, {"7", "8"}));
+  try {
+    requireRobots(all, {"8", "9"});
+    ADD_FAILURE() << "nobody missed robot 7";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("is of robot 7 too, of which the set has no run"));
+  }
+}
+
 TEST(HandedOn, IsOfALowerLevelAlone) {
   const TemporaryFolder folder;
   EXPECT_THAT(complaint(folder, R"({"level": "limb", "shared": [], "joints": []})"),

@@ -70,14 +70,17 @@ TEST(WholeDiagnosis, OfTwoRobotsBlamesTheFaultyOne) {
     set.runs.push_back(run);
   }
   std::vector<double> parts;
-  const WholeDiagnosis diagnosis = diagnose(
-      set, kShoulders, {}, [&](const std::string&, double part) { parts.push_back(part); });
+  const WholeDiagnosis diagnosis =
+      diagnose(set, kShoulders, {{"LShoulderPitch", "kp_error", {-0.3}, true, "other"}},
+               [&](const std::string&, double part) { parts.push_back(part); });
   EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end()));
   EXPECT_GE(parts.size(), 6u);  // scatter, looks and fits of both
   EXPECT_EQ(parts.front(), 0);
   EXPECT_EQ(std::count(parts.begin(), parts.end(), 0.5), 1);  // where the second robot begins
   EXPECT_LT(parts.back(), 1);
   ASSERT_EQ(placesOf(diagnosis), "kp_error at other/LShoulderPitch; ");
+  ASSERT_EQ(diagnosis.handed_on.size(), 1u);
+  EXPECT_EQ(diagnosis.handed_on[0].was.place, "other/LShoulderPitch");
   const Finding& found = *diagnosis.set.joints.back().named()[0];
   EXPECT_LT(found.numbers[0].low, -0.4);
   EXPECT_GT(found.numbers[0].high, -0.4);
