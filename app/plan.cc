@@ -16,11 +16,11 @@ struct Options {
   bool json = false;
 };
 
-const validation::AmbiguousJoint& chosen(const std::vector<validation::AmbiguousJoint>& all,
-                                         const std::string& joint) {
+const validation::Ambiguity& chosen(const std::vector<validation::Ambiguity>& all,
+                                    const std::string& joint) {
   if (joint.empty()) return all.front();
-  for (const validation::AmbiguousJoint& one : all) {
-    if (one.joint == joint) return one;
+  for (const validation::Ambiguity& one : all) {
+    if (one.place == joint) return one;
   }
   throw InputError("--joint " + joint + ": it is not ambiguous in this report");
 }
@@ -29,7 +29,7 @@ void run(const Options& options) {
   const std::string found = options.dir + "/report.json";
   const auto model = loadRobotModel(findSourceFile(options.robots_dir),
                                     validation::reportedModel(found, options.model));
-  const auto all = validation::ambiguousJoints(found, *model);
+  const auto all = validation::ambiguitiesOf(found, *model);
   const auto& ambiguous = chosen(all, options.joint);
   const auto experiments =
       validation::planExperiments(model, ambiguous, options.repeats, options.jobs);
@@ -49,7 +49,8 @@ void addPlan(CLI::App& app) {
   command->add_option("dir", options->dir, "What `diagnose --out` wrote.")->required();
   command->add_option("--model", options->model,
                       "The nominal robot; the report's own if not given.");
-  command->add_option("--joint", options->joint, "This joint; default: the first ambiguous one.");
+  command->add_option("--joint", options->joint,
+                      "This joint (or limb, or robot); default: the first that is ambiguous.");
   command->add_option("-o,--output", options->output,
                       "The motion file (.motion); default: next.motion in the folder.");
   command->add_option("--repeats", options->repeats, "Runs that the experiment will have.")

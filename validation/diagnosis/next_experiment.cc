@@ -4,10 +4,9 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "core/config.h"
-#include "validation/diagnosis/merge_effects.h"
+#include "validation/diagnosis/next_whole_experiment.h"
 #include "validation/diagnosis/prepared_set.h"
 #include "validation/diagnosis/replay.h"
 #include "validation/diagnosis/report_file.h"
@@ -17,41 +16,11 @@
 namespace nao::validation {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr double kDuration = 6;   // [s] as the standard motions
 constexpr double kMargin = 0.05;  // [rad] from the ends of the range
 constexpr int kRuns = 8;          // simulated per cause and motion
+constexpr double kTold = 3;       // [SD of the mean] apart
 constexpr double kPose = 0.04;    // [s] between the poses of a file
-
-EffectSetting settingOf(const Json& cause, Joint joint) {
-  const std::string id = cause.at("cause");
-  EffectSetting setting =
-      neutralSetting(cause.value("effect", id.substr(0, id.find('.'))), sim::standardEffects());
-  setting.joints = {joint};
-  for (const Json& number : cause.at("numbers")) {
-    setting.parameters.at(number.at("parameter")) = number.at("value");
-  }
-  return setting;
-}
-
-void addAmbiguous(const Json& joint, const Json& finding, const RobotModel& model,
-                  std::vector<AmbiguousJoint>& found) {
-  const std::string name = joint.at("joint");
-  const auto place = model.findJoint(name);
-  if (!place) throw InputError("robot '" + model.name + "' has no joint '" + name + "'");
-  AmbiguousJoint one;
-  one.joint = name;
-  one.advice = finding.value("experiment", "");
-  one.causes = {finding.at("cause")};
-  one.settings = {settingOf(finding, *place)};
-  for (const Json& rival : finding.at("rivals")) {
-    if (rival.at("cause") == "unknown") continue;
-    one.causes.push_back(rival.at("cause"));
-    one.settings.push_back(settingOf(rival, *place));
-  }
-  if (one.causes.size() > 1) found.push_back(std::move(one));
-}
 
 double triangle(double phase) { return 2 / M_PI * std::asin(std::sin(phase)); }
 
@@ -73,7 +42,7 @@ Way wayOf(const RobotModel& model, Joint joint) {
 }
 
 double separationOf(const JointSimulator& joint, std::size_t motion, const JointNoise& noise,
-                    const AmbiguousJoint& ambiguous, int repeats) {
+                    const Ambiguity& ambiguous, int repeats) {
   std::vector<RunSpread> spreads;
   for (const EffectSetting& setting : ambiguous.settings) {
     std::vector<Eigen::MatrixXd> runs;
@@ -94,18 +63,6 @@ double separationOf(const JointSimulator& joint, std::size_t motion, const Joint
 }
 
 }  // namespace
-
-std::vector<AmbiguousJoint> ambiguousJoints(const std::string& report_file,
-                                            const RobotModel& model) {
-  std::vector<AmbiguousJoint> found;
-  readReport(report_file, [&](const Json& report) {
-    for (const Json& joint : report.at("joints")) {
-      for (const Json& finding : joint.at("findings")) addAmbiguous(joint, finding, model, found);
-    }
-  });
-  if (found.empty()) throw InputError(report_file + ": no joint is ambiguous between named causes");
-  return found;
-}
 
 std::vector<RecordedMotion> candidateMotions(const std::shared_ptr<const RobotModel>& model,
                                              Joint joint) {
@@ -142,30 +99,29 @@ std::vector<RecordedMotion> candidateMotions(const std::shared_ptr<const RobotMo
 }
 
 std::vector<PlannedMotion> planExperiments(const std::shared_ptr<const RobotModel>& model,
-                                           const AmbiguousJoint& ambiguous, int repeats, int jobs) {
+                                           const Ambiguity& ambiguous, int repeats, int jobs) {
+  if (ambiguous.level != "joint") return planWholeExperiments(model, ambiguous, repeats, jobs);
   const auto hung =
       std::make_shared<RobotModel>(stripped(model->fixed_base ? *model : suspend(*model)));
   RecordingPlan plan;
   plan.model = hung;
-  plan.motions = candidateMotions(model, *model->findJoint(ambiguous.joint));
+  const Joint joint = *model->findJoint(ReportedPlace(ambiguous.place).name);
+  plan.motions = candidateMotions(model, joint);
   plan.repeats = 1;
   plan.step = std::chrono::milliseconds(1);
   const LogSet set = recordSimulated(plan);
   const auto rigs = std::make_shared<RigSet>(set, hung);
-  const Joint joint = *model->findJoint(ambiguous.joint);
   const RigSimulator simulator(rigs, joint);
   const JointNoise noise = nominalNoise(rigs->model(), joint);
   std::vector<PlannedMotion> experiments(plan.motions.size());
   inParallel(experiments.size(), jobs, [&](std::size_t m) {
     experiments[m] = {plan.motions[m], separationOf(simulator, m, noise, ambiguous, repeats)};
   });
-  std::stable_sort(
-      experiments.begin(), experiments.end(),
-      [](const PlannedMotion& a, const PlannedMotion& b) { return a.separation > b.separation; });
+  std::stable_sort(experiments.begin(), experiments.end(), separatesMore);
   return experiments;
 }
 
-Report reportPlan(const AmbiguousJoint& ambiguous, const std::vector<PlannedMotion>& experiments,
+Report reportPlan(const Ambiguity& ambiguous, const std::vector<PlannedMotion>& experiments,
                   const RobotModel& model, int repeats) {
   Report report;
   report.command = "plan";
@@ -173,7 +129,7 @@ Report reportPlan(const AmbiguousJoint& ambiguous, const std::vector<PlannedMoti
   report.runs = repeats;
   std::string causes;
   for (const std::string& one : ambiguous.causes) causes += (causes.empty() ? "" : " or ") + one;
-  TextTable table{ambiguous.joint + ": " + causes, {"motion", "separation [SD of the mean]"}, {}};
+  TextTable table{ambiguous.place + ": " + causes, {"motion", "separation [SD of the mean]"}, {}};
   std::vector<Row> rows;
   for (const PlannedMotion& one : experiments) {
     rows.push_back({{"motion", one.motion.name}, {"separation_sd", one.separation}});
@@ -183,7 +139,12 @@ Report reportPlan(const AmbiguousJoint& ambiguous, const std::vector<PlannedMoti
                     {"separation_sd", experiments.empty() ? 0 : experiments.front().separation}};
   report.tables.push_back(std::move(table));
   report.remarks.push_back("Next: " + std::to_string(repeats) + " runs of '" +
-                           experiments.front().motion.name + "' with " + ambiguous.joint + ".");
+                           experiments.front().motion.name + "'" +
+                           (ambiguous.level == "joint" ? " with " + ambiguous.place : "") + ".");
+  if (experiments.front().separation < kTold) {
+    report.remarks.push_back("No motion here tells them apart by so few runs: that takes " +
+                             fixed(kTold, 0) + " SD.");
+  }
   if (!ambiguous.advice.empty()) {
     report.remarks.push_back("Beyond motions alone: " + ambiguous.advice + ".");
   }

@@ -13,7 +13,7 @@ namespace {
 std::shared_ptr<const RobotModel> pendulum() { return nao::test::robot("xl330_pendulum"); }
 
 // Dry friction and grease: alike at one speed only.
-AmbiguousJoint ambiguous() {
+Ambiguity ambiguous() {
   const std::vector<Joint> joint{toJoint(0)};
   return {"pendulum",
           {"coulomb_friction", "viscous_friction"},
@@ -49,12 +49,59 @@ TEST(NextExperiment, ReadsWhatAReportCouldNotDecide) {
      "numbers": [{"parameter": "torque", "value": 0.02}],
      "rivals": [{"cause": "encoder_offset", "numbers": [{"parameter": "angle", "value": 0.1}]}]}
   ]}]})");
-  const auto found = ambiguousJoints(file, *pendulum());
+  const auto found = ambiguitiesOf(file, *pendulum());
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].causes, (std::vector<std::string>{"torque_bias", "encoder_offset"}));
   EXPECT_DOUBLE_EQ(found[0].settings[1].parameters.at("angle"), 0.1);
+  EXPECT_EQ(found[0].level, "joint");
   folder.write("report.json", R"({"joints": []})");
-  EXPECT_THROW(ambiguousJoints(file, *pendulum()), InputError);
+  EXPECT_THROW(ambiguitiesOf(file, *pendulum()), InputError);
+}
+
+TEST(NextExperiment, ReadsRivalsElsewhereOfARobot) {
+  const TemporaryFolder folder;
+  const std::string file =
+      folder.write("report.json", R"({"level": "robot", "joints": [{"joint": "7/LLeg", "findings": [
+    {"cause": "kp_error", "effect": "kp_error", "numbers": [{"parameter": "part", "value": -0.3}],
+     "rivals": [{"cause": "imu_bias.gyro_y at robot", "effect": "imu_bias",
+                 "numbers": [{"parameter": "gyro_y", "value": 0.1}]},
+                {"cause": "kp_error at LHipRoll", "effect": "kp_error",
+                 "numbers": [{"parameter": "part", "value": -0.5}]}]}
+  ]}]})");
+  const auto model = nao::test::robot("nao_h21_v33");
+  const auto found = ambiguitiesOf(file, *model);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].level, "robot");
+  ASSERT_EQ(found[0].settings.size(), 3u);
+  EXPECT_EQ(found[0].settings[0].joints.size(), 6u);
+  EXPECT_TRUE(found[0].settings[1].joints.empty());
+  EXPECT_EQ(found[0].settings[2].joints, std::vector<Joint>{*model->findJoint("LHipRoll")});
+}
+
+// Grease in a shoulder shows where arms swing.
+TEST(NextExperiment, OfAStandingRobotIsOneItCanStand) {
+  const auto model = nao::test::robot("nao_h21_v33");
+  const Ambiguity ambiguous{
+      "robot",
+      {"viscous_friction at LShoulderPitch", "viscous_friction at HeadYaw"},
+      {{"viscous_friction", {{"coefficient", 0.3}}, {*model->findJoint("LShoulderPitch")}, ""},
+       {"viscous_friction", {{"coefficient", 0.3}}, {*model->findJoint("HeadYaw")}, ""}},
+      "",
+      "robot"};
+  const auto found = planExperiments(model, ambiguous, 6, 2);
+  ASSERT_EQ(found.size(), 5u);
+  EXPECT_EQ(found.front().motion.name, "arms");
+  EXPECT_GT(found.front().separation, 3 * found.back().separation);
+  EXPECT_GT(found.front().motion.duration, 5);
+}
+
+TEST(NextExperiment, SaysThatNoMotionTellsThemApart) {
+  const auto text = [](double separation) {
+    const PlannedMotion one{{"sway", Split::Fit, 8, {}}, separation};
+    return toText(reportPlan(ambiguous(), {one}, *pendulum(), 6));
+  };
+  EXPECT_EQ(text(12).find("No motion"), std::string::npos) << text(12);
+  EXPECT_NE(text(0.8).find("No motion here tells them apart"), std::string::npos) << text(0.8);
 }
 
 }  // namespace

@@ -1,0 +1,69 @@
+#include "validation/diagnosis/ambiguity.h"
+
+#include <nlohmann/json.hpp>
+
+#include "core/config.h"
+#include "validation/diagnosis/merge_effects.h"
+#include "validation/diagnosis/report_file.h"
+
+namespace nao::validation {
+namespace {
+
+using Json = nlohmann::json;
+
+class Reader {
+ public:
+  Reader(const std::string& file, const RobotModel& model, std::string level)
+      : file_(file), model_(model), level_(std::move(level)) {}
+
+  Ambiguity read(const std::string& place, const Json& finding) const {
+    Ambiguity one;
+    one.place = place;
+    one.level = level_;
+    one.advice = finding.value("experiment", "");
+    add(finding, place, one);
+    for (const Json& rival : finding.at("rivals")) {
+      if (rival.at("cause") != "unknown") add(rival, place, one);
+    }
+    return one;
+  }
+
+ private:
+  void add(const Json& cause, std::string place, Ambiguity& to) const {
+    const std::string label = cause.at("cause");
+    const std::size_t at = label.find(" at ");
+    if (at != std::string::npos) place = label.substr(at + 4);
+    const std::string id = label.substr(0, at);
+    EffectSetting setting =
+        neutralSetting(cause.value("effect", id.substr(0, id.find('.'))), sim::standardEffects());
+    setting.joints = jointsAt(ReportedPlace(place).name, file_, model_);
+    for (const Json& number : cause.at("numbers")) {
+      setting.parameters.at(number.at("parameter")) = number.at("value");
+    }
+    to.causes.push_back(label);
+    to.settings.push_back(std::move(setting));
+  }
+
+  const std::string& file_;
+  const RobotModel& model_;
+  std::string level_;
+};
+
+}  // namespace
+
+std::vector<Ambiguity> ambiguitiesOf(const std::string& report_file, const RobotModel& model) {
+  std::vector<Ambiguity> found;
+  readReport(report_file, [&](const Json& report) {
+    const Reader reader(report_file, model, report.value("level", "joint"));
+    for (const Json& entry : report.at("joints")) {
+      for (const Json& finding : entry.at("findings")) {
+        Ambiguity one = reader.read(entry.at("joint"), finding);
+        if (one.causes.size() > 1) found.push_back(std::move(one));
+      }
+    }
+  });
+  if (found.empty()) throw InputError(report_file + ": nothing is ambiguous between named causes");
+  return found;
+}
+
+}  // namespace nao::validation
