@@ -49,25 +49,17 @@ constexpr Simple kSimple[] = {
 TorqueFeatures::TorqueFeatures() {
   for (const Simple& one : kSimple) add(one.name, 1);
   add("sin and cos of q", 2);
-  char text[40];
-  for (int n = kFirstRipple; n <= kLastRipple; ++n) {
-    std::snprintf(text, sizeof text, "sin and cos of %d q", n);
-    add(text, 2);
-  }
-  for (int n = 1; n <= kLastPatch; ++n) {
-    std::snprintf(text, sizeof text, "sgn v with sin and cos of %d q", n);
-    add(text, 3);
-  }
+  const auto harmonic = [](int n) { return "sin and cos of " + std::to_string(n) + " q"; };
+  for (int n = kFirstRipple; n <= kLastRipple; ++n) add(harmonic(n), 2);
+  for (int n = 1; n <= kLastPatch; ++n) add("sgn v with " + harmonic(n), 3);
   addDryPlaces();
+  char text[40];
   for (int f = kFirstHum; f <= kLastHum; ++f) {
     std::snprintf(text, sizeof text, "sin and cos of %.1f Hz", 0.1 * f);
     add(text, 2);
   }
   const Eigen::Index torques = columns_;
-  for (int n = 1; n <= kLastEccentric; ++n) {
-    std::snprintf(text, sizeof text, "misreading by sin and cos of %d q", n);
-    add(text, 2);
-  }
+  for (int n = 1; n <= kLastEccentric; ++n) add("misreading by " + harmonic(n), 2);
   misreadings_ = columns_ - torques;
 }
 
