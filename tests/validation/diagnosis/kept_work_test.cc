@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "core/check.h"
 #include "tests/core/temporary_folder.h"
@@ -68,6 +69,18 @@ TEST_F(KeptWorkTest, WithoutAFolderKeepsNothing) {
   const KeptWork none;
   none.keep("unit", "content");
   EXPECT_EQ(none.find("unit"), std::nullopt);
+}
+
+TEST_F(KeptWorkTest, TwoThreadsMayKeepTheSame) {
+  const KeptWork kept = open("one");
+  const std::string content(10000, 'x');
+  const auto keep = [&] {
+    for (int i = 0; i < 100; ++i) kept.keep("unit", content);
+  };
+  std::thread other(keep);
+  EXPECT_NO_THROW(keep());
+  other.join();
+  EXPECT_EQ(kept.find("unit"), content);
 }
 
 }  // namespace
