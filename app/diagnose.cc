@@ -3,8 +3,10 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <memory>
+#include <sstream>
 
 #include "app/commands.h"
 #include "app/mpi_team.h"
@@ -128,6 +130,8 @@ validation::Provenance provenanceOf(const Arguments& arguments, const validation
 
 // All that decides what the parts of a diagnosis come to. A program is known by its size and time.
 std::string keyOf(const Arguments& arguments, const validation::Provenance& provenance) {
+  std::ostringstream from;  // its folder may be that of --out, in which parts are kept
+  if (!arguments.from.empty()) from << std::ifstream(arguments.from + "/report.json").rdbuf();
   const std::string program = "/proc/self/exe";
   const auto built = std::filesystem::last_write_time(program).time_since_epoch().count();
   return "program " + std::to_string(std::filesystem::file_size(program)) + " " +
@@ -135,8 +139,7 @@ std::string keyOf(const Arguments& arguments, const validation::Provenance& prov
          "\nrobots " +
          validation::sha256OfFolder(findSourceFile(arguments.robots_dir), {arguments.out}) +
          "\nlevel " + arguments.level + "\njoint " + arguments.joint + "\nbudget " +
-         arguments.budget + "\nfrom " +
-         (arguments.from.empty() ? "" : validation::sha256OfFolder(arguments.from)) + "\n";
+         arguments.budget + "\nfrom " + validation::sha256Of(from.str()) + "\n";
 }
 
 // The first process decides whether what is there is of this diagnosis.

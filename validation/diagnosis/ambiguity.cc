@@ -21,24 +21,30 @@ class Reader {
     one.place = place;
     one.level = level_;
     one.advice = finding.value("experiment", "");
-    add(finding, place, one);
+    const std::string here = ReportedPlace(place).name;
+    add(finding, here, one);
     for (const Json& rival : finding.at("rivals")) {
-      if (rival.at("cause") != "unknown") add(rival, place, one);
+      if (rival.at("cause") != "unknown") add(rival, here, one);
     }
     return one;
   }
 
  private:
-  void add(const Json& cause, std::string place, Ambiguity& to) const {
+  void add(const Json& cause, const std::string& place, Ambiguity& to) const {
     const std::string label = cause.at("cause");
-    const std::size_t at = label.find(" at ");
-    if (at != std::string::npos) place = label.substr(at + 4);
-    const std::string id = label.substr(0, at);
-    EffectSetting setting =
-        neutralSetting(cause.value("effect", id.substr(0, id.find('.'))), sim::standardEffects());
-    setting.joints = jointsAt(ReportedPlace(place).name, file_, model_);
+    const ReportedCause what(label);
+    EffectSetting setting = neutralSetting(
+        cause.value("effect", what.id.substr(0, what.id.find('.'))), sim::standardEffects());
+    setting.joints = jointsAt(what.place.empty() ? place : what.place, file_, model_);
+    if (level_ == "joint" && setting.joints.size() != 1) {
+      throw InputError(file_ + ": expected a joint at joint level, found '" + place + "'");
+    }
     for (const Json& number : cause.at("numbers")) {
-      setting.parameters.at(number.at("parameter")) = number.at("value");
+      const std::string name = number.at("parameter");
+      if (setting.parameters.count(name) == 0) {
+        throw InputError(file_ + ": no effect '" + setting.name + "' with '" + name + "'");
+      }
+      setting.parameters[name] = number.at("value");
     }
     to.causes.push_back(label);
     to.settings.push_back(std::move(setting));

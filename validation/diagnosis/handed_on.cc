@@ -15,12 +15,8 @@ using Json = nlohmann::json;
 int heightOf(const std::string& level) { return level == "joint" ? 0 : level == "limb" ? 1 : 2; }
 
 void add(const Json& cause, const ReportedPlace& place, bool alone, std::vector<HandedOn>& all) {
-  HandedOn one{place.name, cause.at("cause"), {}, alone, place.robot_id};
-  const std::size_t at = one.cause.find(" at ");  // a rival elsewhere
-  if (at != std::string::npos) {
-    one.place = one.cause.substr(at + 4);
-    one.cause.resize(at);
-  }
+  const ReportedCause what(cause.at("cause"));
+  HandedOn one{what.place.empty() ? place.name : what.place, what.id, {}, alone, place.robot_id};
   for (const Json& number : cause.at("numbers")) one.x.push_back(number.at("deviation"));
   if (!one.x.empty()) all.push_back(std::move(one));  // "unknown" has none
 }

@@ -6,7 +6,6 @@
 
 #include <Eigen/Core>
 
-#include "core/robot_model.h"
 #include "validation/diagnosis/kept_work.h"
 
 namespace nao::validation {
@@ -15,7 +14,7 @@ namespace nao::validation {
 using WholePool = std::vector<std::vector<Eigen::VectorXd>>;
 
 /// What a diagnosis of the limb or robot level simulated, so that one that was cut off need not do
-/// it again. A search asks the same in the same order, whatever the number of threads. Any thread.
+/// it again. Any thread.
 class KeptRuns {
  public:
   /// Keeps nothing.
@@ -28,8 +27,5 @@ class KeptRuns {
  private:
   KeptWork kept_;
 };
-
-/// Names, joints and all digits of the numbers: two lists that do not act alike have two texts.
-std::string textOf(const std::vector<EffectSetting>& effects);
 
 }  // namespace nao::validation

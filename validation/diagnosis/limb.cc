@@ -42,9 +42,12 @@ int inertiaEvery(Duration step) {
 }
 
 std::string keyOf(std::size_t motion, const std::vector<EffectSetting>& effects) {
+  return std::to_string(motion) + keyOf(effects);
+}
+
+std::string keyOf(const std::vector<EffectSetting>& effects) {
   std::ostringstream key;
   key.precision(17);
-  key << motion;
   for (const EffectSetting& effect : effects) {
     key << '|' << effect.name;
     for (const auto& [name, value] : effect.parameters) key << ' ' << name << '=' << value;

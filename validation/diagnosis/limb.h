@@ -53,7 +53,8 @@ class Limb {
 /// tell no more than what a cause changes.
 int inertiaEvery(Duration step);
 
-/// A name that two lists of effects in one motion share only if they are the same.
+/// A name that two lists of effects share only if they act alike; of them in one motion.
+std::string keyOf(const std::vector<EffectSetting>& effects);
 std::string keyOf(std::size_t motion, const std::vector<EffectSetting>& effects);
 
 }  // namespace nao::validation

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/suspend.h"
+#include "validation/diagnosis/replay.h"
 #include "validation/diagnosis/whole_data.h"
 #include "validation/log/floor_recording.h"
 
@@ -11,21 +12,6 @@ namespace nao::validation {
 namespace {
 
 constexpr int kRuns = 6;  // simulated per cause and motion
-
-// Mean and variance of each feature over the runs of one cause.
-struct Spread {
-  Eigen::VectorXd mean, variance;
-};
-
-Spread spreadOf(const std::vector<Eigen::VectorXd>& runs) {
-  Spread spread{Eigen::VectorXd::Zero(runs.front().size()), {}};
-  spread.variance = spread.mean;
-  for (const Eigen::VectorXd& run : runs) spread.mean += run;
-  spread.mean /= static_cast<double>(runs.size());
-  for (const Eigen::VectorXd& run : runs) spread.variance += (run - spread.mean).cwiseAbs2();
-  spread.variance /= std::max(1.0, static_cast<double>(runs.size()) - 1);
-  return spread;
-}
 
 RecordedMotion standing(const std::shared_ptr<const RobotModel>& model, const FloorMotion& motion) {
   return {motion.name, Split::Fit, motion.duration,
@@ -69,21 +55,28 @@ Candidates onItsFeet(const std::shared_ptr<const RobotModel>& model) {
   return all;
 }
 
-double leastSeparation(const std::vector<Spread>& causes, const FeatureSpace& space, int repeats) {
+// Of two causes, in the signal that tells most.
+double separationOf(const RunSpread& a, const RunSpread& b, const FeatureSpace& space,
+                    int repeats) {
+  double most = 0;
+  for (const FeatureGroup& group : space.groups()) {
+    const auto part = [&](const Eigen::VectorXd& all) {
+      return all.segment(group.offset, group.size);
+    };
+    const double square = (part(a.mean) - part(b.mean)).squaredNorm();
+    const double chance = (part(a.variance) + part(b.variance)).sum() / 2 / repeats;
+    const double floor = group.floor * group.floor * static_cast<double>(group.size);
+    most = std::max(most, std::sqrt(square / std::max(chance + floor, 1e-12)));
+  }
+  return most;
+}
+
+double leastSeparation(const std::vector<RunSpread>& causes, const FeatureSpace& space,
+                       int repeats) {
   double least = 1e9;
   for (std::size_t a = 0; a < causes.size(); ++a) {
     for (std::size_t b = a + 1; b < causes.size(); ++b) {
-      double most = 0;
-      for (const FeatureGroup& group : space.groups()) {
-        const auto part = [&](const Eigen::VectorXd& all) {
-          return all.segment(group.offset, group.size);
-        };
-        const double square = (part(causes[a].mean) - part(causes[b].mean)).squaredNorm();
-        const double chance = (part(causes[a].variance) + part(causes[b].variance)).sum() / 2;
-        const double floor = group.floor * group.floor * static_cast<double>(group.size);
-        most = std::max(most, std::sqrt(square / std::max(chance / repeats + floor, 1e-12)));
-      }
-      least = std::min(least, most);
+      least = std::min(least, separationOf(causes[a], causes[b], space, repeats));
     }
   }
   return least;
@@ -104,8 +97,11 @@ std::vector<PlannedMotion> planWholeExperiments(const std::shared_ptr<const Robo
   std::vector<PlannedMotion> experiments;
   for (std::size_t b = 0; b < simulator.blocks().size(); ++b) {
     const WholeBlock& block = simulator.blocks()[b];
-    std::vector<Spread> causes;
-    for (const WholePool& pool : runs) causes.push_back(spreadOf(pool[block.runs.front()]));
+    std::vector<RunSpread> causes;
+    for (const WholePool& pool : runs) {
+      const auto& played = pool[block.runs.front()];
+      causes.push_back(spreadOf({played.begin(), played.end()}, 0));
+    }
     const auto motion = std::find_if(all.motions.begin(), all.motions.end(),
                                      [&](const auto& one) { return one.name == block.motion; });
     experiments.push_back({*motion, leastSeparation(causes, data.spaces()[b], repeats)});

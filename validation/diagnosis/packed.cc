@@ -6,6 +6,7 @@
 #include "validation/diagnosis/examined_joint.h"
 #include "validation/diagnosis/fold_search.h"
 #include "validation/diagnosis/joint_crowd.h"
+#include "validation/diagnosis/kept_runs.h"
 
 namespace Eigen {
 
@@ -89,6 +90,8 @@ template std::string pack(const double&);
 template double unpack(const std::string&);
 template std::string pack(const std::vector<double>&);
 template std::vector<double> unpack(const std::string&);
+template std::string pack(const WholePool&);
+template WholePool unpack(const std::string&);
 template std::string pack(const JointNoise&);
 template JointNoise unpack(const std::string&);
 template std::string pack(const SharedStep&);

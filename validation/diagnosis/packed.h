@@ -5,7 +5,7 @@
 namespace nao::validation {
 
 /// A value as bytes, exactly: for files that the same program reads again and for other processes
-/// of it. For long, double, std::vector<double>, JointNoise, JointLooks, JointVerdict,
+/// of it. For long, double, std::vector<double>, WholePool, JointNoise, JointLooks, JointVerdict,
 /// FoldDiagnosis and ExaminedJoint.
 template <class T>
 std::string pack(const T& value);

@@ -34,6 +34,13 @@ ReportedPlace::ReportedPlace(const std::string& text) {
   robot_id = slash == std::string::npos ? "" : text.substr(0, slash);
 }
 
+ReportedCause::ReportedCause(const std::string& text) {
+  constexpr char kAt[] = " at ";
+  const std::size_t at = text.find(kAt);
+  id = text.substr(0, at);
+  if (at != std::string::npos) place = text.substr(at + sizeof kAt - 1);
+}
+
 std::vector<Joint> jointsAt(const std::string& place, const std::string& file,
                             const RobotModel& model) {
   if (place == "robot") return {};

@@ -24,6 +24,12 @@ struct ReportedPlace {
   std::string robot_id, name;
 };
 
+/// "kp_error", of a rival elsewhere "kp_error at LHipRoll".
+struct ReportedCause {
+  explicit ReportedCause(const std::string& text);
+  std::string id, place;  // place empty: where its finding is
+};
+
 /// The joints of a place of this report; none: all that the robot has.
 /// @throws InputError for a place that the robot does not have.
 std::vector<Joint> jointsAt(const std::string& place, const std::string& file,

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/check.h"
+#include "validation/diagnosis/limb.h"
 #include "validation/diagnosis/team.h"
 
 namespace nao::validation {
@@ -116,7 +117,7 @@ void WholeData::learnStepErrors(int runs, double noise, int jobs) {
     const auto mean = [&](Pace pace) {
       const std::string what = sentence("step error", block, static_cast<int>(pace), runs, noise);
       used_ += runs * (pace == Pace::Exact ? kExactCost : 1);
-      const WholePool kept = kept_.remember(what + textOf(given_), [&] {
+      const WholePool kept = kept_.remember(what + keyOf(given_), [&] {
         return WholePool{{meanOf(block, pace, runs, noise, jobs)}};
       });
       return kept[0][0];
@@ -159,7 +160,7 @@ WholePool WholeData::simulate(const std::vector<EffectSetting>& causes, int per_
   used_ += cost * static_cast<long>(orders.size());
   const std::string what = sentence("runs", per_run, most, static_cast<int>(blocks), streams, noise,
                                     static_cast<int>(pace), step_error_.size()) +
-                           textOf(acting);
+                           keyOf(acting);
   return kept_.remember(what, [&] { return run(acting, orders, noise, jobs, pace); });
 }
 

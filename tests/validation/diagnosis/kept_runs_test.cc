@@ -44,17 +44,5 @@ TEST_F(KeptRunsTest, AreSimulatedEachTimeIfNothingIsKept) {
   EXPECT_EQ(simulated, 2);
 }
 
-TEST(KeptRuns, TellEffectsApartByJointAndByTheLastDigit) {
-  const EffectSetting at_one{"torque_bias", {{"torque", 0.1}}, {toJoint(1)}, "here"};
-  EffectSetting elsewhere = at_one, next = at_one, asked_elsewhere = at_one;
-  elsewhere.joints = {toJoint(2)};
-  next.parameters["torque"] = std::nextafter(0.1, 1);
-  asked_elsewhere.place = "there";  // acts alike
-  EXPECT_NE(textOf({at_one}), textOf({elsewhere}));
-  EXPECT_NE(textOf({at_one}), textOf({next}));
-  EXPECT_NE(textOf({at_one}), textOf({at_one, at_one}));
-  EXPECT_EQ(textOf({at_one}), textOf({asked_elsewhere}));
-}
-
 }  // namespace
 }  // namespace nao::validation

@@ -190,5 +190,17 @@ TEST(LimbSimulator, ALegMovesTheSameByInertiaOfEveryOtherCoarseStep) {
   EXPECT_LT((swung(kStep, every).q - swung(kStep, 1).q).cwiseAbs().maxCoeff(), 15e-6);
 }
 
+TEST(LimbKeys, TellEffectsApartByJointAndByTheLastDigit) {
+  const EffectSetting at_one{"torque_bias", {{"torque", 0.1}}, {toJoint(1)}, "here"};
+  EffectSetting elsewhere = at_one, next = at_one, asked_elsewhere = at_one;
+  elsewhere.joints = {toJoint(2)};
+  next.parameters["torque"] = std::nextafter(0.1, 1);
+  asked_elsewhere.place = "there";  // acts alike
+  EXPECT_NE(keyOf({at_one}), keyOf({elsewhere}));
+  EXPECT_NE(keyOf({at_one}), keyOf({next}));
+  EXPECT_NE(keyOf({at_one}), keyOf({at_one, at_one}));
+  EXPECT_EQ(keyOf({at_one}), keyOf({asked_elsewhere}));
+}
+
 }  // namespace
 }  // namespace nao::validation

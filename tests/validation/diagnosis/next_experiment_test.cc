@@ -58,6 +58,27 @@ TEST(NextExperiment, ReadsWhatAReportCouldNotDecide) {
   EXPECT_THROW(ambiguitiesOf(file, *pendulum()), InputError);
 }
 
+TEST(NextExperiment, SaysWhatAReportMayNotHold) {
+  const TemporaryFolder folder;
+  const auto complaint = [&](const std::string& place, const std::string& parameter) {
+    const std::string numbers = R"("numbers": [{"parameter": ")" + parameter + R"(", "value": 1}])";
+    const std::string file = folder.write(
+        "report.json", R"({"joints": [{"joint": ")" + place +
+                           R"(", "findings": [{"cause": "kp_error", )" + numbers +
+                           R"(, "rivals": [{"cause": "kd_error", )" + numbers + "}]}]}]}");
+    try {
+      ambiguitiesOf(file, *nao::test::robot("nao_h21_v33"));
+    } catch (const InputError& error) {
+      return folder.withoutPath(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(complaint("LKneePitch", "part"), "");
+  EXPECT_NE(complaint("LLeg", "part").find("expected a joint at joint level"), std::string::npos);
+  EXPECT_NE(complaint("LKneePitch", "width").find("no effect 'kp_error' with 'width'"),
+            std::string::npos);
+}
+
 TEST(NextExperiment, ReadsRivalsElsewhereOfARobot) {
   const TemporaryFolder folder;
   const std::string file =

@@ -88,10 +88,24 @@ TEST_F(WholeNumbersTest, MayBeOffByWhatEqualRobotsDifferBy) {
   const double chance = varianceOf(drawNumbers(task_, stage, fit));
   EXPECT_GT(chance, 0);
   causes_[0].cause.spread = 0.5;
-  const double spread =
-      causes_[0].cause.spreadAt(kTruth);  // beside it what a law leaves out is nothing
+  const double spread = causes_[0].cause.spreadAt(kTruth);
   // 200 draws: a variance is known to a tenth, thrice that is allowed.
   EXPECT_NEAR(varianceOf(drawNumbers(task_, stage, fit)) / (chance + spread * spread), 1, 0.3);
+}
+
+// 200 draws of a normal distribution tell its SD to a twentieth; what signals disagree by beside it
+// makes less of it.
+TEST_F(WholeNumbersTest, MayBeOffByWhatLawsLeaveOut) {
+  const WholeFit fit = fitAt(kTruth);
+  const WholeStage stage(task_, fit.model, fit.jacobian);
+  const Eigen::MatrixXd with = drawNumbers(task_, stage, fit);
+  const double law = causes_[0].cause.lawErrorAt(kTruth);
+  ASSERT_GT(law, 0);
+  causes_[0].cause.free[0].form = Form::Inverse;  // a limit's, which is read off
+  const Eigen::MatrixXd change = with - drawNumbers(task_, stage, fit);
+  const double rms = change.norm() / std::sqrt(static_cast<double>(change.size()));
+  EXPECT_GT(rms, 0);
+  EXPECT_LT(rms, 1.15 * law);
 }
 
 }  // namespace
