@@ -76,9 +76,11 @@ EffectSetting JointSearch::sharedSetting(std::size_t cause, double x) const {
 }
 
 void JointSearch::give(const Beside& beside) {
+  const double before = stage_ ? half(stage_->white(stage_->raw())) : 0;
   ensemble_.setGiven(beside.effects);
   given_ = beside.ruled_out;
   enter(stageOf({}, Eigen::MatrixXd(data_.size(), 0)));
+  given_gain_ = before - half(stage_->white(stage_->raw()));
 }
 
 void JointSearch::give(std::size_t cause, double x) { give({{sharedSetting(cause, x)}, {cause}}); }
@@ -204,7 +206,7 @@ std::string JointSearch::objection(const Stage& stage, const Candidate& candidat
 }
 
 double JointSearch::greatestGain() const {
-  double greatest = 0;
+  double greatest = std::max(0.0, given_gain_);
   for (const Accepted& one : accepted_) greatest = std::max(greatest, one.gain);
   return greatest;
 }

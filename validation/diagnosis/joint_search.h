@@ -178,6 +178,7 @@ class JointSearch {
   NullRecord nulls_;
   OtherJoints others_;
   std::vector<std::size_t> given_;
+  double given_gain_ = 0;  // [nats] what is given explains: by a law, too
   double misfit_before_ = 0, split_ratio_ = 0;
   std::vector<Accepted> accepted_;  // in the order of the model
   std::set<std::size_t>

@@ -92,6 +92,21 @@ TEST(JointSearch, NamesNothingBesideACauseThatExplainsHundredsOfTimesAsMuch) {
   EXPECT_EQ(beside.named()[0]->cause, "encoder_offset");
 }
 
+// Nor beside a gross cause that all joints share, which is given.
+TEST(JointSearch, NamesNothingBesideAGivenCauseThatExplainsHundredsOfTimesAsMuch) {
+  ToyLaws laws;
+  laws.bias = 0.012;
+  laws.zero = 0.25;
+  const std::vector<Cause> causes = test::toyCauses();
+  const auto zero = std::find_if(causes.begin(), causes.end(),
+                                 [](const Cause& one) { return one.id == "encoder_offset"; });
+  const test::ToyJoint toy(laws, 1, test::kToyNoise, 6, 3);
+  JointSearch search(toy, test::kToyNoise, causes, quick(), 1000000);
+  search.begin();
+  search.give(static_cast<std::size_t>(zero - causes.begin()), laws.zero);
+  EXPECT_TRUE(search.conclude({}).named().empty());
+}
+
 // A tilt (2.7 % of what the offset explains) and a mass (1.1 %). If a tilt of that size is of no
 // interest, the mass is of none.
 TEST(JointSearch, SearchesNoFurtherThanATrifle) {
