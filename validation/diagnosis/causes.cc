@@ -92,6 +92,18 @@ void replace(std::string& text, const std::string& key, const std::string& value
   if (at != std::string::npos) text.replace(at, key.size(), value);
 }
 
+std::vector<std::vector<double>> startsTogether(const Cause& cause) {
+  std::vector<std::vector<double>> within;
+  for (const std::vector<double>& start : cause.together) {
+    bool fits = true;
+    for (std::size_t i = 0; i < start.size(); ++i) {
+      fits = fits && start[i] >= cause.free[i].lower && start[i] <= cause.free[i].upper;
+    }
+    if (fits) within.push_back(start);
+  }
+  return within;
+}
+
 }  // namespace
 
 std::string Cause::fill(const std::string& joint, const std::string& value) const {
@@ -163,6 +175,7 @@ double shownValue(const FreeNumber& number, double x) {
 }
 
 std::vector<std::vector<double>> startsOf(const Cause& cause) {
+  if (!cause.together.empty()) return startsTogether(cause);
   std::vector<std::vector<double>> all = {{}};
   for (const FreeNumber& number : cause.free) {
     std::vector<std::vector<double>> longer;

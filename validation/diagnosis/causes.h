@@ -45,6 +45,9 @@ struct Cause {
   /// A clock that beats with that of the log: sizes are told apart as beatingSizes() does.
   bool beats = false;
   bool coupled = false;  // needs a joint that another limits
+  /// Where fits begin, all numbers at once, where one says where the others may be. Empty: all
+  /// combinations of their `starts`.
+  std::vector<std::vector<double>> together{};
   /// Causes, by id, whose number of the same size to either side does nearly the same to one joint:
   /// where this one fits, they are tried there too, however far that is from their own starts.
   std::vector<std::string> twins{};
@@ -85,8 +88,8 @@ Cause boundedAt(const Cause& cause, const JointSimulator& joint,
 /// Of a look at a rough cause, how many times its size a guess may reach: it says nothing beyond.
 constexpr double kFurthest = 1.5;
 
-/// All combinations of the start values of a cause's numbers that lie within its bounds, sizes
-/// first.
+/// Where fits of a cause begin, within its bounds: `together`, else all combinations of its numbers'
+/// starts, sizes first.
 std::vector<std::vector<double>> startsOf(const Cause& cause);
 
 /// The setting that stands for these numbers, one per `cause.free`, on the cause's joints.

@@ -8,6 +8,7 @@
 #include "validation/diagnosis/gait_numbers.h"
 #include "validation/diagnosis/packed.h"
 #include "validation/diagnosis/search_progress.h"
+#include "validation/diagnosis/touching_stops.h"
 #include "validation/log/log_robots.h"
 
 namespace nao::validation {
@@ -142,6 +143,9 @@ class RobotCase {
              (one.joints.size() == 1 && !isJudged(one.joints.front()));
     };
     causes.erase(std::remove_if(causes.begin(), causes.end(), unwanted), causes.end());
+    for (PlacedCause& one : causes) {
+      if (one.cause.coupled) startWhereTouched(one, simulator_);
+    }
     auto provisional =
         provisionalAmong(causes, handed_on_, joints, simulator_.model(), simulator_.judged());
     const WholeTask task{&data,         &causes,       options_.effort,

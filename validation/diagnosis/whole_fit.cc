@@ -35,21 +35,28 @@ WholeModel withNumbers(WholeModel model, const std::vector<double>& x) {
   return model;
 }
 
-double stepOf(const FreeNumber& number, double x) {
-  return std::max({number.smallest / 2, 0.05 * std::abs(x), 1e-6});
+// Of a size of interest: joints meet stops within milliradians, and wider steps take the way there
+// for a part of the slope. On the feet chance is larger than what such a step does.
+constexpr double kStopStep = 0.05;
+
+double stepOf(const WholeTask& task, std::size_t cause, std::size_t number, double x) {
+  const Cause& of = (*task.causes)[cause].cause;
+  const double smallest = of.free[number].smallest;
+  if (of.coupled && task.data->hasCoarse()) return std::max(kStopStep * smallest, 1e-6);
+  return std::max({smallest / 2, 0.05 * std::abs(x), 1e-6});
 }
 
-FitSpace spaceOf(const std::vector<PlacedCause>& causes, const WholeModel& model) {
+FitSpace spaceOf(const WholeTask& task, const WholeModel& model) {
   FitSpace space;
   const bool several = flat(model).size() > 1;
   space.iterations = several ? kIterationsOfSeveral : kIterations;
   for (const WholeChosen& one : model) {
     for (std::size_t i = 0; i < one.x.size(); ++i) {
-      const FreeNumber& number = causes[one.cause].cause.free[i];
+      const FreeNumber& number = (*task.causes)[one.cause].cause.free[i];
       space.start.push_back(std::clamp(one.x[i], number.lower, number.upper));
       space.lower.push_back(number.lower);
       space.upper.push_back(number.upper);
-      space.step.push_back(stepOf(number, one.x[i]));
+      space.step.push_back(stepOf(task, one.cause, i, one.x[i]));
     }
   }
   return space;
@@ -105,7 +112,7 @@ Halves slopeAcross(const WholeTask& task, const WholeModel& model, const FitSpac
 // As wide as it takes to be more than chance, if a stage tells how much that is.
 Halves slopeOf(const WholeTask& task, const WholeModel& model, std::size_t number,
                const WholeStage* stage) {
-  const FitSpace space = spaceOf(*task.causes, model);
+  const FitSpace space = spaceOf(task, model);
   const double most = kWidest * std::abs(flat(model)[number]);
   double width = kBeside * space.step[number];
   Halves slope = slopeAcross(task, model, space, number, width);
@@ -155,7 +162,7 @@ WholeFit fitModel(const WholeTask& task, const WholeStage& stage, const WholeMod
     return stage.whitenFit(
         simulatedResidual(task, stage, withNumbers(start, x), Blocks::Fit, jobs));
   };
-  FitSpace space = spaceOf(*task.causes, start);
+  FitSpace space = spaceOf(task, start);
   space.slopes = false;
   const FitPoint point = leastSquares(residual, space);
   return {withNumbers(start, point.x), point.residual, {}, {}, point.cost};
@@ -170,7 +177,7 @@ WholeFit fitLast(const WholeTask& task, const WholeStage& stage, const WholeMode
   const auto residual = [&](const std::vector<double>& x) {
     return stage.white(simulatedResidual(task, stage, modelAt(x), Blocks::Fit));
   };
-  FitSpace space = spaceOf(*task.causes, {with.back()});
+  FitSpace space = spaceOf(task, {with.back()});
   space.slopes = false;
   const bool by_slopes = task.data->hasCoarse() || space.start.size() > 1;
   const FitPoint point = by_slopes ? leastSquares(residual, space) : lowest(residual, space);

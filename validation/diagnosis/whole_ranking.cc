@@ -38,6 +38,10 @@ std::vector<WholeChosen> WholeSearch::beginningsOf(const WholeLook& look, double
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   if (promising.size() > kMostLooks) promising.resize(kMostLooks);
   for (const auto& [gain, other] : promising) {
+    if (!placed(look.cause).cause.together.empty()) {  // are where they may be
+      all.push_back({other->cause, other->x});
+      continue;
+    }
     for (const double part : kSizes) {
       all.push_back({other->cause, other->x});
       all.back().x[0] *= part;
