@@ -95,7 +95,7 @@ ceres::Solver::Options optionsOf(const FitSpace& space) {
 }  // namespace
 
 double differenceStep(const FitSpace& space, std::size_t i, double x) {
-  const double step = std::max(space.step[i], 0.05 * std::abs(x));
+  const double step = std::max(space.step[i], space.part * std::abs(x));
   return x + step <= space.upper[i] ? step : -step;
 }
 
@@ -138,7 +138,8 @@ FitPoint solve(const Residual& residual, const FitSpace& space) {
 
 FitPoint leastSquares(const Residual& residual, const FitSpace& space) {
   std::vector<std::size_t> free;
-  FitSpace varied;  // Ceres takes no number whose bounds meet
+  FitSpace varied;  // Ceres takes no number whose bounds meet, and not none
+  varied.part = space.part;
   varied.iterations = space.iterations;
   varied.slopes = space.slopes;
   for (std::size_t i = 0; i < space.start.size(); ++i) {
@@ -149,7 +150,7 @@ FitPoint leastSquares(const Residual& residual, const FitSpace& space) {
     varied.upper.push_back(space.upper[i]);
     varied.step.push_back(space.step[i]);
   }
-  if (free.size() == space.start.size()) return solve(residual, space);
+  if (!free.empty() && free.size() == space.start.size()) return solve(residual, space);
   const auto whole = [&](const std::vector<double>& x) {
     std::vector<double> all = space.start;
     for (std::size_t i = 0; i < free.size(); ++i) all[free[i]] = x[i];

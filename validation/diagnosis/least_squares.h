@@ -13,6 +13,7 @@ struct FitSpace {
   std::vector<double> step;  // of the finite differences: wide enough to be more than roundings
   int iterations = 5;
   bool slopes = true;  // whether FitPoint::jacobian is wanted
+  double part = 0.05;  // of a number, that its difference is at least
 
   /// A number that stays where it is; its column of the jacobian is 0.
   bool isFixed(std::size_t i) const { return lower[i] == upper[i]; }

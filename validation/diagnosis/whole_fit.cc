@@ -50,6 +50,7 @@ FitSpace spaceOf(const WholeTask& task, const WholeModel& model) {
   FitSpace space;
   const bool several = flat(model).size() > 1;
   space.iterations = several ? kIterationsOfSeveral : kIterations;
+  space.part = 0;  // steps are as wide as they are to be
   for (const WholeChosen& one : model) {
     for (std::size_t i = 0; i < one.x.size(); ++i) {
       const FreeNumber& number = (*task.causes)[one.cause].cause.free[i];

@@ -28,6 +28,21 @@ TEST(LeastSquares, FindsBothNumbersOfACurve) {
   EXPECT_NEAR(found.x[1], 1.5, 1e-3);
 }
 
+// A model whose last cause is taken out.
+TEST(LeastSquares, WithoutANumberIsWhatIsLeft) {
+  const FitPoint left = leastSquares([](const auto&) { return decay(2, 1.5); }, {});
+  EXPECT_TRUE(left.x.empty());
+  EXPECT_EQ(left.cost, decay(2, 1.5).squaredNorm() / 2);
+  EXPECT_EQ(left.jacobian.cols(), 0);
+}
+
+TEST(LeastSquares, DifferencesAreAsNarrowAsAsked) {
+  FitSpace space{{1}, {0}, {2}, {1e-3}};
+  EXPECT_NEAR(differenceStep(space, 0, 1), 0.05, 1e-12);
+  space.part = 0;
+  EXPECT_NEAR(differenceStep(space, 0, 1), 1e-3, 1e-12);
+}
+
 TEST(LeastSquares, AFixedNumberLeavesTheOthersToFit) {
   const FitSpace space{{2, 0.5}, {2, 0}, {2, 10}, {1e-3, 1e-3}, 20};
   const FitPoint found = leastSquares(
