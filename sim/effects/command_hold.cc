@@ -1,5 +1,6 @@
 // New commands are taken over only every `interval`, and held between: a staircase that is late by
-// interval / 2 on average. Source: the status interval of a simulator, the cycle of a motor bus.
+// interval / 2 on average. The first is held until `phase` has passed, where the clock first ticks.
+// Source: the status interval of a simulator, the cycle of a motor bus.
 #include "sim/effects/effect.h"
 
 namespace nao::sim {
@@ -8,14 +9,13 @@ namespace {
 class CommandHold final : public Effect {
  public:
   explicit CommandHold(const EffectSetup& setup)
-      : joints_(setup.acting()), interval_(setup.value("interval")) {}
+      : joints_(setup.acting()), interval_(setup.value("interval")), left_(setup.value("phase")) {}
 
   void alterCommand(JointCommand& command, SimTime, double h) override {
     if (interval_ <= 0) return;
-    if (left_ <= h / 2) {
-      held_ = command;
-      left_ += interval_;
-    }
+    const bool ticks = left_ <= h / 2;
+    if (ticks || held_.angle.size() == 0) held_ = command;
+    if (ticks) left_ += interval_;
     left_ -= h;
     for (const std::size_t j : joints_) {
       command.angle[j] = held_.angle[j];
@@ -32,7 +32,7 @@ class CommandHold final : public Effect {
  private:
   std::vector<std::size_t> joints_;
   double interval_;  // [s]
-  double left_ = 0;  // [s] until the next command is taken over
+  double left_;      // [s] until the next command is taken over
   JointCommand held_;
 };
 
@@ -41,7 +41,7 @@ class CommandHold final : public Effect {
 EffectType commandHold() {
   return {"command_hold",
           "New commands are taken over only now and then, and held between.",
-          {{"interval", "s", 0.04, 0, 0, 2, 0.005}},
+          {{"interval", "s", 0.04, 0, 0, 2, 0.005}, {"phase", "s", 0, 0, 0, 2, 0.001}},
           Acts::OnCommand,
           makeEffect<CommandHold>};
 }

@@ -24,6 +24,7 @@ struct FreeNumber {
   double neutral = 0;
   double lower = 0, upper = 0;
   double smallest = 0;  // size of interest
+  bool stays = false;   // where it began: no slope tells of it
 };
 
 /// A candidate of the diagnosis: an effect, and which of its parameters are free.
@@ -88,8 +89,8 @@ Cause boundedAt(const Cause& cause, const JointSimulator& joint,
 /// Of a look at a rough cause, how many times its size a guess may reach: it says nothing beyond.
 constexpr double kFurthest = 1.5;
 
-/// Where fits of a cause begin, within its bounds: `together`, else all combinations of its numbers'
-/// starts, sizes first.
+/// Where fits of a cause begin, within its bounds: `together`, else all combinations of its
+/// numbers' starts, sizes first.
 std::vector<std::vector<double>> startsOf(const Cause& cause);
 
 /// The setting that stands for these numbers, one per `cause.free`, on the cause's joints.

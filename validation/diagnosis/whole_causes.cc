@@ -167,6 +167,17 @@ Cause worldCause(const char* id, const char* parameter, std::vector<double> star
   return cause;
 }
 
+// A clock ticks when it likes: where a log begins between two ticks tells no slope. Commands come
+// every 10 ms, so that a clock of 7.5 ms knows three such places.
+Cause withPhase(Cause hold) {
+  FreeNumber phase;
+  phase.parameter = "phase";
+  phase.starts = {0, 0.0025, 0.005};
+  phase.stays = true;
+  hold.free.push_back(std::move(phase));
+  return hold;
+}
+
 // Starts: free choices, from what a walk begins to feel to what lets it nearly fall.
 void addWorld(Builder& builder) {
   builder.add(worldCause("ground_friction", "scale", {-0.7, -0.9},
@@ -188,6 +199,12 @@ Cause sensorCause(const std::string& effect, const std::string& parameter, doubl
                            sentence.c_str(), separate);
   cause.linear = true;
   return cause;
+}
+
+void addEverywhere(Builder& builder, const std::string& id, bool hangs) {
+  const Cause* cause = find(id);
+  if (cause == nullptr) return;
+  builder.add(id == "command_hold" && !hangs ? withPhase(*cause) : *cause, "robot", {});
 }
 
 const char* const kSixSides = "hold the robot still on its six sides";
@@ -318,7 +335,7 @@ std::vector<Joint> jointsOf(const RobotModel& model, const std::string& limb,
 std::vector<PlacedCause> robotCauses(const RobotModel& model, const std::vector<Joint>& measured) {
   Builder builder(model, measured);
   if (!model.fixed_base) addWorld(builder);
-  builder.add(kEverywhere, "robot", {});
+  for (const char* id : kEverywhere) addEverywhere(builder, id, model.fixed_base);
   addInertialUnit(builder);
   for (const std::string& limb : limbsOf(model, measured)) {
     const std::vector<Joint> joints = jointsOf(model, limb, measured);

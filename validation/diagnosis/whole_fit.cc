@@ -46,20 +46,26 @@ double stepOf(const WholeTask& task, std::size_t cause, std::size_t number, doub
   return std::max({smallest / 2, 0.05 * std::abs(x), 1e-6});
 }
 
+std::size_t countFree(const FitSpace& space) {
+  std::size_t free = 0;
+  for (std::size_t i = 0; i < space.start.size(); ++i) free += !space.isFixed(i);
+  return free;
+}
+
 FitSpace spaceOf(const WholeTask& task, const WholeModel& model) {
   FitSpace space;
-  const bool several = flat(model).size() > 1;
-  space.iterations = several ? kIterationsOfSeveral : kIterations;
   space.part = 0;  // steps are as wide as they are to be
   for (const WholeChosen& one : model) {
     for (std::size_t i = 0; i < one.x.size(); ++i) {
       const FreeNumber& number = (*task.causes)[one.cause].cause.free[i];
       space.start.push_back(std::clamp(one.x[i], number.lower, number.upper));
-      space.lower.push_back(number.lower);
-      space.upper.push_back(number.upper);
+      const double begun = space.start.back();
+      space.lower.push_back(number.stays ? begun : number.lower);
+      space.upper.push_back(number.stays ? begun : number.upper);
       space.step.push_back(stepOf(task, one.cause, i, one.x[i]));
     }
   }
+  space.iterations = countFree(space) > 1 ? kIterationsOfSeveral : kIterations;
   return space;
 }
 
@@ -76,19 +82,22 @@ Eigen::VectorXd residualOf(const WholeData& data, const WholeStage& stage, const
   return data.stackMeans(difference);
 }
 
-// One number of robots on their feet, whose runs part by chance: a fit by slopes between near
+// The first number of robots on their feet, whose runs part by chance: a fit by slopes between near
 // neighbours, nearly all of it chance, told a gyroscope that exaggerates by 0.35 to by 0.1, where
 // it began.
 FitPoint lowest(const std::function<Eigen::VectorXd(const std::vector<double>&)>& residual,
                 const FitSpace& space) {
   std::map<double, Eigen::VectorXd> seen;
+  std::vector<double> at = space.start;
   const auto cost = [&](double x) {
-    if (seen.count(x) == 0) seen[x] = residual({x});
+    at[0] = x;
+    if (seen.count(x) == 0) seen[x] = residual(at);
     return seen[x].squaredNorm() / 2;
   };
   FitPoint point;
   const double x = lowestAlong(cost, space.start[0], space.lower[0], space.upper[0]);
-  point.x = {x};
+  point.x = space.start;
+  point.x[0] = x;
   point.cost = cost(x);
   point.residual = seen[x];
   return point;
@@ -114,6 +123,10 @@ Halves slopeAcross(const WholeTask& task, const WholeModel& model, const FitSpac
 Halves slopeOf(const WholeTask& task, const WholeModel& model, std::size_t number,
                const WholeStage* stage) {
   const FitSpace space = spaceOf(task, model);
+  if (space.isFixed(number)) {
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(task.data->size());
+    return {none, none};
+  }
   const double most = kWidest * std::abs(flat(model)[number]);
   double width = kBeside * space.step[number];
   Halves slope = slopeAcross(task, model, space, number, width);
@@ -180,7 +193,7 @@ WholeFit fitLast(const WholeTask& task, const WholeStage& stage, const WholeMode
   };
   FitSpace space = spaceOf(task, {with.back()});
   space.slopes = false;
-  const bool by_slopes = task.data->hasCoarse() || space.start.size() > 1;
+  const bool by_slopes = task.data->hasCoarse() || countFree(space) > 1;
   const FitPoint point = by_slopes ? leastSquares(residual, space) : lowest(residual, space);
   return {modelAt(point.x), point.residual, {}, {}, point.cost};
 }

@@ -79,6 +79,15 @@ TEST(CommandHold, KeepsItsRhythmWhereTheIntervalIsNoWholeNumberOfSteps) {
   EXPECT_EQ(taken, 80);  // 2 s / 25 ms
 }
 
+TEST(CommandHold, TicksFirstWhenItsPhaseHasPassed) {
+  const auto held =
+      followed({effect("command_hold", {{"interval", 0.02}, {"phase", 0.006}})}, 50, ramp);
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    const std::size_t taken = i < 3 ? 0 : (i - 3) / 10 * 10 + 3;
+    ASSERT_DOUBLE_EQ(held[i], ramp(static_cast<double>(taken) * kStep)) << i;
+  }
+}
+
 TEST(RateLimit, TurnsAStepIntoARamp) {
   const auto limited = followed({effect("rate_limit", {{"rate", 5}})}, 200, step);
   for (std::size_t i = 5; i < limited.size(); ++i) {

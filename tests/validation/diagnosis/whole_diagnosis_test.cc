@@ -126,6 +126,16 @@ TEST(WholeDiagnosis, AnInertialUnitThatReadsRightIsNotBlamed) {
 }
 
 // This level would not try it by itself here; of what is not so, one would show and one would not.
+// A log begins anywhere between two ticks of the robot's clock: by replays whose clock began with
+// them a hold of 7.5 ms was told as angles that are reported late, and two causes more.
+TEST(WholeDiagnosis, AClockThatTicksBesideTheLogsBeginIsAHold) {
+  const EffectSetting hold{"command_hold", {{"interval", 0.0075}, {"phase", 0.0025}}, {}, ""};
+  const WholeDiagnosis diagnosis =
+      diagnose(record({hold}, 1, 5), {"command_hold", "command_latency", "sensor_delay"});
+  EXPECT_EQ(placesOf(diagnosis), "command_hold at robot; ");
+  EXPECT_NEAR(diagnosis.set.joints[0].findings[0].numbers[0].deviation, 0.0075, 2e-4);
+}
+
 TEST(WholeDiagnosis, WhatALowerLevelFoundCompetesAgain) {
   const WholeDiagnosis diagnosis =
       diagnose(record({weakShoulder()}, 1, 3), {"encoder_offset at LShoulderPitch"},
