@@ -47,6 +47,15 @@ Cause lookedAt(Cause cause, const std::vector<double>& x) {
   return cause;
 }
 
+// Second numbers may be no concern of this level, or of it alone.
+std::vector<double> numbersFor(const Cause& cause, std::vector<double> x) {
+  if (x.size() > cause.free.size()) x.resize(cause.free.size());
+  while (x.size() < cause.free.size() && cause.free[x.size()].stays) {
+    x.push_back(cause.free[x.size()].starts.front());
+  }
+  return x;
+}
+
 const Cause* ofJoints(const std::string& id) {
   const auto& all = jointCauses();
   const auto at = std::find_if(all.begin(), all.end(), [&](const Cause& c) { return c.id == id; });
@@ -112,8 +121,7 @@ std::vector<Provisional> provisionalAmong(std::vector<PlacedCause>& causes,
     const bool again = std::any_of(found.begin(), found.end(), [&](const Provisional& other) {
       return other.chosen.cause == at;
     });
-    std::vector<double> x = one.x;  // second numbers may be no concern of this level
-    if (x.size() > causes[at].cause.free.size()) x.resize(causes[at].cause.free.size());
+    const std::vector<double> x = numbersFor(causes[at].cause, one.x);
     if (!again && causes[at].cause.free.size() == x.size()) found.push_back({one, {at, x}});
   }
   return found;

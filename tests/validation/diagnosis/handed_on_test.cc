@@ -111,6 +111,18 @@ TEST(HandedOn, StandsAmongTheCausesOfALevelThatDoesNotTryItByItself) {
   EXPECT_TRUE(inertia.isTried());
 }
 
+// Of robots on their feet a hold has a phase too, of which a joint knows nothing.
+TEST(HandedOn, WithoutAPhaseAHoldIsTriedOnTheFeetToo) {
+  const auto model = test::robot("nao_h21_v33");
+  std::vector<Joint> all;
+  for (const Actuator& one : model->actuators) all.push_back(*model->findJoint(one.name));
+  std::vector<PlacedCause> causes = robotCauses(*model, all);
+  const auto found =
+      provisionalAmong(causes, {{"robot", "command_hold", {0.02}, true}}, {}, *model, all);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_THAT(found[0].chosen.x, ElementsAre(0.02, 0));
+}
+
 TEST(HandedOn, WhatNoSearchCanTryIsTold) {
   const auto model = test::robot("nao_h21_v33");
   const std::vector<Joint> measured{*model->findJoint("LKneePitch")};
