@@ -13,8 +13,9 @@ constexpr double kFar = 1e9;  // of a parameter whose neutral value is as good a
 // Starts of a cause that are looked at: a whole robot costs more than a joint. Free choices.
 constexpr std::size_t kStartsEverywhere = 3, kStartsSomewhere = 2;
 
-// Of a stop that moves with another joint: a hull's edges, from flat to steep, where either joint
-// of an ankle may meet them. A look elsewhere meets nothing, or all of the motion.
+// Of a stop that moves with another joint, unless what was measured tells where it may be
+// (touching_stops.h): a hull's edges, from flat to steep, where either joint of an ankle may meet
+// them.
 const std::vector<double> kSlopes{0.4, -0.4, 1.5, -1.5};          // [rad/rad]
 const std::vector<double> kEdges{0, -0.3, -0.6, -0.9, 0.3, 0.6};  // [rad]
 

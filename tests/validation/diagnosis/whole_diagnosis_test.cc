@@ -125,7 +125,6 @@ TEST(WholeDiagnosis, AnInertialUnitThatReadsRightIsNotBlamed) {
   }
 }
 
-// This level would not try it by itself here; of what is not so, one would show and one would not.
 // A log begins anywhere between two ticks of the robot's clock: by replays whose clock began with
 // them a hold of 7.5 ms was told as angles that are reported late, and two causes more.
 TEST(WholeDiagnosis, AClockThatTicksBesideTheLogsBeginIsAHold) {
@@ -136,6 +135,7 @@ TEST(WholeDiagnosis, AClockThatTicksBesideTheLogsBeginIsAHold) {
   EXPECT_NEAR(diagnosis.set.joints[0].findings[0].numbers[0].deviation, 0.0075, 2e-4);
 }
 
+// This level would not try it by itself here; of what is not so, one would show and one would not.
 TEST(WholeDiagnosis, WhatALowerLevelFoundCompetesAgain) {
   const WholeDiagnosis diagnosis =
       diagnose(record({weakShoulder()}, 1, 3), {"encoder_offset at LShoulderPitch"},
