@@ -16,6 +16,14 @@ namespace {
 constexpr Duration kStep = std::chrono::microseconds(250);
 constexpr Duration kCoarseStep = std::chrono::milliseconds(1);
 constexpr double kSettle = 0.5;  // [s] of rest before a run: only limbs swing
+constexpr double kLatest = 0.4;  // [s] either way
+
+// [SD] Of two streams in a row, from an odd one, one begins as late as the other does early: when
+// the runs of a pool begin makes nothing of their mean.
+double drawStart(std::uint64_t stream) {
+  const double late = Random((stream + 1) / 2, "start of a run").normal();
+  return stream % 2 == 1 ? late : -late;
+}
 
 void leaveOut(const char* effect, std::vector<EffectSetting>& from) {
   from.erase(std::remove_if(from.begin(), from.end(),
@@ -50,7 +58,7 @@ std::vector<JointCommand> LimbReplay::ordersOf(const WholeRun& measured) const {
 }
 
 WholeRun LimbReplay::simulate(const std::vector<EffectSetting>& causes, std::size_t run,
-                              std::uint64_t stream, double noise) const {
+                              std::uint64_t stream, const NoiseParts& noise) const {
   const WholeRun& measured = whole_.measured()[run];
   const auto robot = whole_.robotOf(measured, causes, noise);
   Random random(stream, "start");
@@ -59,7 +67,8 @@ WholeRun LimbReplay::simulate(const std::vector<EffectSetting>& causes, std::siz
   RobotModel limbs = cutLimbs(stripped(*robot), names_);
   if (pace_ == Pace::Coarse) leaveOut("encoder_quantum", limbs.effects);
   const Duration step = pace_ == Pace::Coarse ? kCoarseStep : kStep;
-  sim::HingeRun how{kSettle, step, 1, stream, 0, inertiaEvery(step)};
+  const double late = std::clamp(noise.start_sd * drawStart(stream), -kLatest, kLatest);
+  sim::HingeRun how{kSettle, step, 1, stream, late, inertiaEvery(step)};
   how.start = JointArray<double>(kept_.size());
   for (std::size_t j = 0; j < kept_.size(); ++j) (*how.start)[j] = start[kept_[j]];
   const sim::HingeMotion motion =

@@ -20,7 +20,7 @@ class LimbReplay {
 
   /// As WholeSimulator::simulate(); angles of the limbs' joints alone, other signals none.
   WholeRun simulate(const std::vector<EffectSetting>& causes, std::size_t run, std::uint64_t stream,
-                    double noise) const;
+                    const NoiseParts& noise) const;
 
  private:
   std::vector<JointCommand> ordersOf(const WholeRun& measured) const;

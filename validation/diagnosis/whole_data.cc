@@ -110,12 +110,13 @@ std::vector<WholeData::Order> WholeData::ordersFor(int per_run, std::size_t most
   return orders;
 }
 
-void WholeData::learnStepErrors(int runs, double noise, int jobs) {
+void WholeData::learnStepErrors(int runs, const NoiseParts& noise, int jobs) {
   if (limbs_) return;
   step_error_.clear();
   for (std::size_t block = 0; block < spaces_.size(); ++block) {
     const auto mean = [&](Pace pace) {
-      const std::string what = sentence("step error", block, static_cast<int>(pace), runs, noise);
+      const std::string what = sentence("step error", block, static_cast<int>(pace), runs,
+                                        noise.torque, noise.jitter, noise.start_sd);
       used_ += runs * (pace == Pace::Exact ? kExactCost : 1);
       const WholePool kept = kept_.remember(what + keyOf(given_), [&] {
         return WholePool{{meanOf(block, pace, runs, noise, jobs)}};
@@ -130,7 +131,7 @@ void WholeData::learnStepErrors(int runs, double noise, int jobs) {
 }
 
 // Of the model's runs that stand; nothing if none does.
-Eigen::VectorXd WholeData::meanOf(std::size_t block, Pace pace, int count, double noise,
+Eigen::VectorXd WholeData::meanOf(std::size_t block, Pace pace, int count, const NoiseParts& noise,
                                   int jobs) const {
   const std::vector<std::size_t>& runs = simulator_.blocks()[block].runs;
   std::vector<Eigen::VectorXd> features(static_cast<std::size_t>(count));
@@ -144,29 +145,30 @@ Eigen::VectorXd WholeData::meanOf(std::size_t block, Pace pace, int count, doubl
 }
 
 WholeRun WholeData::replay(const std::vector<EffectSetting>& causes, std::size_t run,
-                           std::uint64_t stream, double noise, Pace pace) const {
+                           std::uint64_t stream, const NoiseParts& noise, Pace pace) const {
   if (!limbs_) return simulator_.simulate(causes, run, stream, noise, Pace::Coarse);
   const LimbReplay& limbs = pace == Pace::Coarse ? *coarse_ : *limbs_;
   return limbs.simulate(causes, run, stream, noise);
 }
 
 WholePool WholeData::simulate(const std::vector<EffectSetting>& causes, int per_run,
-                              std::size_t most, Blocks blocks, std::uint64_t streams, double noise,
-                              int jobs, Pace pace) const {
+                              std::size_t most, Blocks blocks, std::uint64_t streams,
+                              const NoiseParts& noise, int jobs, Pace pace) const {
   const std::vector<Order> orders = ordersFor(per_run, most, blocks, streams);
   std::vector<EffectSetting> acting = given_;
   acting.insert(acting.end(), causes.begin(), causes.end());
   const int cost = limbs_ && pace == Pace::Exact ? kExactLimbsCost : 1;
   used_ += cost * static_cast<long>(orders.size());
-  const std::string what = sentence("runs", per_run, most, static_cast<int>(blocks), streams, noise,
-                                    static_cast<int>(pace), step_error_.size()) +
-                           keyOf(acting);
+  const std::string what =
+      sentence("runs", per_run, most, static_cast<int>(blocks), streams, noise.torque, noise.jitter,
+               noise.start_sd, static_cast<int>(pace), step_error_.size()) +
+      keyOf(acting);
   return kept_.remember(what, [&] { return run(acting, orders, noise, jobs, pace); });
 }
 
 // The features of all that stands; of a block of which most fell, of all.
 WholePool WholeData::run(const std::vector<EffectSetting>& acting, const std::vector<Order>& orders,
-                         double noise, int jobs, Pace pace) const {
+                         const NoiseParts& noise, int jobs, Pace pace) const {
   std::vector<Eigen::VectorXd> features(orders.size());
   std::vector<char> fell(orders.size(), 0);
   inParallel(orders.size(), jobs, [&](std::size_t i) {

@@ -43,12 +43,12 @@ class WholeData {
   /// A measured run anew: by the limbs of the joints alone if they hang and nothing else counts. Of
   /// others all runs are coarse.
   WholeRun replay(const std::vector<EffectSetting>& causes, std::size_t run, std::uint64_t stream,
-                  double noise, Pace pace) const;
+                  const NoiseParts& noise, Pace pace) const;
   bool hasCoarse() const { return coarse_ != nullptr; }
 
   /// From now on simulate() makes up for what coarse runs are off by on the mean of a block,
   /// learned from `runs` of the model by either pace. Limbs that hang alone need none of it.
-  void learnStepErrors(int runs, double noise, int jobs);
+  void learnStepErrors(int runs, const NoiseParts& noise, int jobs);
   /// The chance in that, of the variance of a single run; 0 if nothing is made up for.
   double stepErrorVariance() const { return step_error_variance_; }
 
@@ -65,11 +65,12 @@ class WholeData {
   /// these blocks. What fell is left out, unless most of a block did. `streams` tells apart what
   /// the random numbers are for.
   WholePool simulate(const std::vector<EffectSetting>& causes, int per_run, std::size_t most,
-                     Blocks blocks, std::uint64_t streams, double noise, int jobs,
+                     Blocks blocks, std::uint64_t streams, const NoiseParts& noise, int jobs,
                      Pace pace = Pace::Exact) const;
 
  private:
-  Eigen::VectorXd meanOf(std::size_t block, Pace pace, int count, double noise, int jobs) const;
+  Eigen::VectorXd meanOf(std::size_t block, Pace pace, int count, const NoiseParts& noise,
+                         int jobs) const;
   struct Order {
     std::size_t run;
     std::uint64_t stream;
@@ -77,7 +78,7 @@ class WholeData {
   std::vector<Order> ordersFor(int per_run, std::size_t most, Blocks blocks,
                                std::uint64_t streams) const;
   WholePool run(const std::vector<EffectSetting>& acting, const std::vector<Order>& orders,
-                double noise, int jobs, Pace pace) const;
+                const NoiseParts& noise, int jobs, Pace pace) const;
 
   const WholeSimulator& simulator_;
   std::unique_ptr<LimbReplay> limbs_, coarse_;

@@ -120,7 +120,7 @@ class RobotCase {
   }
 
   Eigen::VectorXd simulatedMeans(const WholeData& data, const std::vector<EffectSetting>& effects,
-                                 double noise) const {
+                                 const NoiseParts& noise) const {
     constexpr std::size_t kAll = 1000000;
     return data.stackMeans(
         meansOf(data.simulate(effects, 1, kAll, Blocks::All, 1, noise, options_.jobs)));
@@ -312,7 +312,7 @@ class RobotCase {
   std::vector<HandedOn> handed_on_;
   WholeDiagnosis& into_;
   WholeSpread spread_;
-  double left_noise_ = 1;         // with what was found last
+  NoiseParts left_noise_;         // with what was found last
   double begun_ = 0, share_ = 1;  // of all robots' work
   SearchProgress progress_;       // of the present search
   std::vector<EffectSetting> found_;

@@ -65,15 +65,14 @@ void WholeStage::scaleLooks(std::vector<Eigen::VectorXd>& spreads) const {
 void WholeStage::addLateStarts(std::vector<Eigen::VectorXd>& directions) const {
   const WholeData& data = *task_.data;
   const Eigen::VectorXd simulated = data.stackMeans(meansOf(pool_));
-  const double start_sd = data.simulator().model().start_sd;
-  for (std::size_t block = 0; start_sd > 0 && block < data.spaces().size(); ++block) {
+  for (std::size_t block = 0; task_.noise.start_sd > 0 && block < data.spaces().size(); ++block) {
     const auto runs = static_cast<double>(data.simulator().blocks()[block].runs.size());
     Eigen::VectorXd late = Eigen::VectorXd::Zero(data.size());
     for (std::size_t g = 0; g < data.joints(); ++g) {
       const FeatureGroup& group = data.spaces()[block].groups()[g];
       const Eigen::Index at = data.offsets()[block] + group.offset;
       late.segment(at, group.size) =
-          start_sd / std::sqrt(runs) *
+          task_.noise.start_sd / std::sqrt(runs) *
           rateBetweenSamples(simulated.segment(at, group.size), group.dt);
     }
     directions.push_back(std::move(late));

@@ -51,16 +51,20 @@ WholeNoise::WholeNoise(const WholeData& data, const WholePool& pool)
   }
 }
 
-// Raises what was simulated, signal by signal, to the scatter of the repeats.
+// Raises what was simulated, signal by signal, to the scatter of the repeats, each of which had the
+// mean of so many simulated runs taken off.
 Eigen::VectorXd WholeNoise::raise(const std::vector<FeatureGroup>& groups,
-                                  Eigen::MatrixXd& simulated, const Eigen::MatrixXd& measured) {
+                                  Eigen::MatrixXd& simulated, const Eigen::MatrixXd& measured,
+                                  double per_run) {
   Eigen::VectorXd by(simulated.rows());
   for (const FeatureGroup& group : groups) {
     const double own = meanSquare(simulated.middleRows(group.offset, group.size));
     double seen = own;
-    if (measured.size() > 0) seen = meanSquare(measured.middleRows(group.offset, group.size));
+    if (measured.size() > 0) {
+      seen = meanSquare(measured.middleRows(group.offset, group.size)) - own / per_run;
+    }
     const double floor = group.floor * group.floor;
-    const double ratio = std::sqrt((seen + floor) / (own + floor));
+    const double ratio = std::sqrt(std::max(0.0, seen + floor) / (own + floor));
     by.segment(group.offset, group.size).setConstant(std::clamp(ratio, 1.0, kMostRaised));
   }
   simulated = by.asDiagonal() * simulated;
@@ -78,7 +82,8 @@ void WholeNoise::addBlock(const WholeData& data, const WholePool& pool, std::siz
   const double of_mean = std::sqrt(measured + 1 / columns + data.stepErrorVariance());
   raised_.segment(at, simulated.rows()) =
       std::sqrt(1 + data.stepErrorVariance() / measured) *
-      raise(groups, simulated, deviationsOf({measuredRuns(data, pool, of)}));
+      raise(groups, simulated, deviationsOf({measuredRuns(data, pool, block).runs}),
+            columns * measured);
 
   // What scatters together, in units of what scatters at all.
   Eigen::VectorXd scale = simulated.rowwise().squaredNorm() / columns;

@@ -43,7 +43,7 @@ class WholeNoise {
   void addBlock(const WholeData& data, const WholePool& pool, std::size_t block,
                 std::vector<Eigen::VectorXd>& directions);
   static Eigen::VectorXd raise(const std::vector<FeatureGroup>& groups, Eigen::MatrixXd& simulated,
-                               const Eigen::MatrixXd& measured);
+                               const Eigen::MatrixXd& measured, double per_run);
   void addRest(const std::vector<FeatureGroup>& groups, Eigen::Index at, double of_mean,
                const Eigen::MatrixXd& rest);
 

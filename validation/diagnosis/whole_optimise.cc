@@ -153,7 +153,7 @@ Optimised optimiseWhole(const LogSet& set, const std::shared_ptr<const RobotMode
   const WholeSimulator simulator(set, model, whole);
   WholeData data(simulator, simulator.judged(), true);
   const Numbers numbers(free, simulator);
-  WholeTask task{&data, &numbers.causes(), {}, 1, options.jobs};
+  WholeTask task{&data, &numbers.causes(), {}, {}, options.jobs};
   task.effort.fit_runs = options.runs;
   task.noise = fitSpread(data, {}, task.effort.base_runs, options.jobs).noise;
   data.learnStepErrors(task.effort.step_runs, task.noise, options.jobs);

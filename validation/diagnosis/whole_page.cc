@@ -23,8 +23,8 @@ std::string headline(const WholeDiagnosis& diagnosis) {
   if (text.empty()) text = "The model explains this set: what is left is noise. ";
   for (const auto& one : diagnosis.spreads) {
     if (!one.spread.differs) continue;
-    text += "Repeats of " + one.robot + " scatter as " + fixed(one.spread.noise, 2) +
-            " times the model's torque noise would let them, " + fixed(one.found.noise, 2) +
+    text += "Repeats of " + one.robot + " scatter as " + fixed(one.spread.noise.torque, 2) +
+            " times the model's torque noise would let them, " + fixed(one.found.noise.torque, 2) +
             " times with what was found. ";
   }
   return text;
@@ -71,9 +71,10 @@ TextTable spreadsOf(const WholeDiagnosis& diagnosis) {
                   {}};
   for (const auto& one : diagnosis.spreads) {
     table.lines.push_back({one.robot, fixed(1e3 * one.spread.measured_sd, 2),
-                           fixed(1e3 * one.spread.simulated_sd, 2), fixed(one.spread.noise, 2),
+                           fixed(1e3 * one.spread.simulated_sd, 2),
+                           fixed(one.spread.noise.torque, 2),
                            fixed(one.spread.low, 2) + " to " + fixed(one.spread.high, 2),
-                           fixed(one.found.noise, 2)});
+                           fixed(one.found.noise.torque, 2)});
   }
   return table;
 }

@@ -11,15 +11,15 @@ using Json = nlohmann::ordered_json;
 
 // A cause that is left out passes for noise.
 std::string withFound(const WholeDiagnosis::RobotSpread& one) {
-  if (one.found.noise == one.spread.noise) return "";
-  return "; with what was found " + fixed(one.found.noise, 2) + " times";
+  if (one.found.noise.torque == one.spread.noise.torque) return "";
+  return "; with what was found " + fixed(one.found.noise.torque, 2) + " times";
 }
 
 std::string sentenceOf(const WholeDiagnosis::RobotSpread& one) {
   const WholeSpread& spread = one.spread;
-  const std::string more = spread.noise > spread.high ? "more" : "less";
+  const std::string more = spread.noise.torque > spread.high ? "more" : "less";
   return "process_noise: repeats of " + one.robot + " scatter " + more +
-         " than the model's noise lets them: " + fixed(spread.noise, 2) +
+         " than the model's noise lets them: " + fixed(spread.noise.torque, 2) +
          " times its torque noise fits them, chance gives " + fixed(spread.low, 2) + " to " +
          fixed(spread.high, 2) + withFound(one);
 }
@@ -53,8 +53,10 @@ std::string toJson(const WholeDiagnosis& diagnosis, const Provenance& provenance
   Json spreads = Json::array(), gait = Json::array();
   for (const auto& one : diagnosis.spreads) {
     spreads.push_back({{"robot", one.robot},
-                       {"process_noise_scale", one.spread.noise},
-                       {"with_what_was_found", one.found.noise},
+                       {"process_noise_scale", one.spread.noise.torque},
+                       {"with_what_was_found", one.found.noise.torque},
+                       {"encoder_jitter_scale", one.found.noise.jitter},
+                       {"start_sd_s", one.found.noise.start_sd},
                        {"chance_99", {one.spread.low, one.spread.high}},
                        {"differs", one.spread.differs},
                        {"measured_sd_rad", one.spread.measured_sd},

@@ -116,9 +116,9 @@ bool WholeSearch::accept(const std::vector<Candidate>& ranking) {
       rejected_.push_back({labelOf(candidate.cause, ""), candidate.gain, reason});
       continue;
     }
-    const double noise = task_.noise;
+    const double noise = task_.noise.torque;
     take(ranking, candidate, held_out);
-    if (task_.noise < kLessNoise * noise && !accepted_.back().others.empty()) compareAgain();
+    if (task_.noise.torque < kLessNoise * noise && !accepted_.back().others.empty()) compareAgain();
     return true;
   }
   return false;

@@ -200,14 +200,20 @@ void cut(WholeRun& run, Eigen::Index rows) {
   }
 }
 
+void scale(EffectSetting& effect, const char* parameter, double by) {
+  const auto at = effect.parameters.find(parameter);
+  if (at != effect.parameters.end()) at->second *= by;
+}
+
 // Why repeats differ, as far as it is drawn anew in every run: the floor of a set is one floor, and
 // places count from where a run began.
-std::vector<EffectSetting> noiseOf(const RobotModel& model, double scale) {
+std::vector<EffectSetting> noiseOf(const RobotModel& model, const NoiseParts& parts) {
   std::vector<EffectSetting> noise;
+  if (parts.torque <= 0) return noise;
   for (EffectSetting effect : model.noise) {
     if (effect.name == "floor_friction" || effect.name == "start_pose") continue;
-    const auto sd = effect.parameters.find("sd");
-    if (effect.name == "process_noise" && sd != effect.parameters.end()) sd->second *= scale;
+    if (effect.name == "process_noise") scale(effect, "sd", parts.torque);
+    if (effect.name == "encoder_jitter") scale(effect, "amplitude", parts.jitter);
     noise.push_back(std::move(effect));
   }
   return noise;
@@ -273,12 +279,12 @@ const sim::EffectCatalogue& WholeSimulator::catalogue() const {
 
 std::shared_ptr<const RobotModel> WholeSimulator::robotOf(const WholeRun& run,
                                                           const std::vector<EffectSetting>& causes,
-                                                          double noise) const {
+                                                          const NoiseParts& noise) const {
   auto robot = std::make_shared<RobotModel>(*model_);
   robot->variation.clear();
   for (Actuator& actuator : robot->actuators) actuator.kp *= run.kp_scale;
   // Noise first: the place in the list is part of a stream's name.
-  robot->effects = noise > 0 ? noiseOf(*model_, noise) : std::vector<EffectSetting>{};
+  robot->effects = noiseOf(*model_, noise);
   for (EffectSetting& effect : mergedEffects(*model_, causes, catalogue())) {
     robot->effects.push_back(std::move(effect));
   }
@@ -288,7 +294,7 @@ std::shared_ptr<const RobotModel> WholeSimulator::robotOf(const WholeRun& run,
 }
 
 WholeRun WholeSimulator::simulate(const std::vector<EffectSetting>& causes, std::size_t run,
-                                  std::uint64_t stream, double noise, Pace pace) const {
+                                  std::uint64_t stream, const NoiseParts& noise, Pace pace) const {
   sim::WorldOptions options(step(pace));
   options.seed = stream;
   options.effects = &catalogue();

@@ -15,6 +15,16 @@ namespace nao::validation {
 /// that jump by a count say little of what moves them by less.
 enum class Pace { Exact, Coarse };
 
+/// How much of the noise that a robot's file states acts.
+struct NoiseParts {
+  NoiseParts(double torques = 1, double jitters = 1, double starts = 0)
+      : torque(torques), jitter(jitters), start_sd(starts) {}
+
+  double torque = 1;    // times its torque noise; 0: no noise at all, encoders' and IMU's neither
+  double jitter = 1;    // times the amplitude by which readings of encoders are off
+  double start_sd = 0;  // [s] of when limbs that hang alone begin a run
+};
+
 /// Whether the runs of a set are for a WholeSimulator: neither hung up nor built in.
 bool isOnItsFeet(const LogSet& set, const RobotModel& model);
 
@@ -55,14 +65,13 @@ class WholeSimulator {
 
   /// measured()[run] on the model with these causes. A cause is a deviation from the model
   /// (merge_effects.h). The same `stream` draws the same random numbers whatever the causes.
-  /// `noise`: times the torque noise of the robot's file; 0: none, its encoders' and IMU's neither.
   WholeRun simulate(const std::vector<EffectSetting>& causes, std::size_t run, std::uint64_t stream,
-                    double noise, Pace pace = Pace::Exact) const;
+                    const NoiseParts& noise, Pace pace = Pace::Exact) const;
 
   /// The robot as it was in this run, with what acted on it: noise first.
   std::shared_ptr<const RobotModel> robotOf(const WholeRun& run,
                                             const std::vector<EffectSetting>& causes,
-                                            double noise) const;
+                                            const NoiseParts& noise) const;
 
  private:
   std::shared_ptr<const RobotModel> model_;

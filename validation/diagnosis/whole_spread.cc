@@ -10,13 +10,12 @@
 namespace nao::validation {
 namespace {
 
-using RunsByBlock = std::vector<std::vector<Eigen::VectorXd>>;
-
 constexpr int kSets = 100;
 // Times the model's noise: less matters to nobody, and the feedback of a walk is worth as much.
 constexpr double kOfInterest = 1.25;
 // Of a joint's variance, that the torque noise must make for it to tell how large that is.
 constexpr double kLeastMoved = 0.1;
+constexpr double kLeast = 0.05;  // times the noise; less is told as this
 
 // The mean of every second of a course, to a list; of a shorter one the mean.
 void addSeconds(const Eigen::VectorXd& course, double dt, std::vector<double>& means) {
@@ -26,104 +25,258 @@ void addSeconds(const Eigen::VectorXd& course, double dt, std::vector<double>& m
   }
 }
 
-// Variance of the joints' angles about the means of blocks, by joint: the median over seconds. What
-// a model lacks shakes a joint in some of them.
-std::vector<double> jointVariance(const WholeData& data,
-                                  const std::vector<Eigen::MatrixXd>& deviation) {
-  std::vector<double> variance;
-  for (std::size_t g = 0; g < data.joints(); ++g) {
-    std::vector<double> seconds;
-    for (std::size_t block = 0; block < deviation.size(); ++block) {
-      if (deviation[block].size() == 0) continue;
-      const FeatureGroup& group = data.spaces()[block].groups()[g];
-      const auto part = deviation[block].middleRows(group.offset, group.size);
-      addSeconds(part.rowwise().squaredNorm() / static_cast<double>(part.cols()), group.dt,
-                 seconds);
+// How runs scatter about the mean of their repeats.
+struct Scatter {
+  std::vector<Eigen::MatrixXd> deviations;    // by block, a column per run
+  double late_squares = 0, late_degrees = 0;  // [s^2], and of freedom
+
+  void add(const Alike& alike, double degrees) {
+    for (const double late : alike.late) late_squares += late * late;
+    if (!alike.late.empty()) late_degrees += degrees;
+  }
+};
+
+// Starts of simulated runs make nothing of their mean (limb_replay.cc).
+Scatter scatterOf(const WholeData& data, const WholePool& pool) {
+  Scatter scatter;
+  for (std::size_t block = 0; block < data.spaces().size(); ++block) {
+    auto groups = simulatedRuns(pool, data.simulator().blocks()[block]);
+    for (auto& group : groups) {
+      Alike alike = startedAlike(data, block, std::move(group));
+      scatter.add(alike, static_cast<double>(alike.late.size()));
+      group = std::move(alike.runs);
     }
-    variance.push_back(seconds.empty() ? 0 : quantile(seconds, 0.5));
+    scatter.deviations.push_back(deviationsOf(groups));
   }
-  return variance;
+  return scatter;
 }
 
-std::vector<double> simulatedVariance(const WholeData& data, const WholePool& pool) {
-  std::vector<Eigen::MatrixXd> by_block;
-  for (const WholeBlock& block : data.simulator().blocks()) {
-    by_block.push_back(deviationsOf(simulatedRuns(pool, block)));
+Scatter scatterOfMeasured(const WholeData& data, const WholePool& pool) {
+  Scatter scatter;
+  for (std::size_t block = 0; block < data.spaces().size(); ++block) {
+    const Alike alike = measuredRuns(data, pool, block);
+    scatter.add(alike, static_cast<double>(alike.late.size()) - 1);
+    scatter.deviations.push_back(deviationsOf({alike.runs}));
   }
-  return jointVariance(data, by_block);
+  return scatter;
 }
 
-// Of runs that are repeats of each other.
-std::vector<double> repeatVariance(const WholeData& data, const RunsByBlock& by_block) {
-  std::vector<Eigen::MatrixXd> deviation;
-  for (const auto& runs : by_block) deviation.push_back(deviationsOf({runs}));
-  return jointVariance(data, deviation);
+// How far a joint's angles go together with themselves some bins later, the mean over these lags:
+// the median over seconds. What a model lacks shakes a joint in some of them.
+double momentOf(const WholeData& data, const Scatter& scatter, std::size_t joint,
+                const std::vector<Eigen::Index>& lags) {
+  std::vector<double> seconds;
+  for (std::size_t block = 0; block < scatter.deviations.size(); ++block) {
+    if (scatter.deviations[block].size() == 0) continue;
+    const FeatureGroup& group = data.spaces()[block].groups()[joint];
+    const auto part = scatter.deviations[block].middleRows(group.offset, group.size);
+    const Eigen::Index rows = part.rows() - lags.back();
+    Eigen::VectorXd products = Eigen::VectorXd::Zero(std::max<Eigen::Index>(rows, 0));
+    for (const Eigen::Index lag : lags) {
+      if (rows <= 0) continue;
+      products += part.topRows(rows).cwiseProduct(part.middleRows(lag, rows)).rowwise().sum();
+    }
+    const auto count = static_cast<double>(part.cols()) * static_cast<double>(lags.size());
+    addSeconds(products / count, group.dt, seconds);
+  }
+  return seconds.empty() ? 0 : quantile(seconds, 0.5);
+}
+
+// [rad^2] by joint. What lasts for more than a bin is the torque's; readings that are counts off do
+// not last.
+struct Moments {
+  Eigen::VectorXd variance, lasting;
+  double late = 0;  // [s] RMS by which runs begin apart
+};
+
+Moments momentsOf(const WholeData& data, const Scatter& scatter) {
+  Moments moments;
+  const auto joints = static_cast<Eigen::Index>(data.joints());
+  moments.variance.resize(joints);
+  moments.lasting.resize(joints);
+  for (Eigen::Index j = 0; j < joints; ++j) {
+    moments.variance[j] = momentOf(data, scatter, static_cast<std::size_t>(j), {0});
+    moments.lasting[j] = momentOf(data, scatter, static_cast<std::size_t>(j), {1, 2});
+  }
+  if (scatter.late_degrees > 0) {
+    moments.late = std::sqrt(scatter.late_squares / scatter.late_degrees);
+  }
+  return moments;
 }
 
 // x^2 of measured = still + x^2 (noisy - still): the median over joints that torque noise moves.
-double scaleOf(const std::vector<double>& measured, const std::vector<double>& still,
-               const std::vector<double>& noisy) {
+double scaleOf(const Moments& measured, const Moments& still, const Moments& noisy) {
   std::vector<double> squares;
-  for (std::size_t j = 0; j < measured.size(); ++j) {
-    const double moved = noisy[j] - still[j];
-    if (moved > kLeastMoved * noisy[j]) squares.push_back((measured[j] - still[j]) / moved);
+  for (Eigen::Index j = 0; j < measured.lasting.size(); ++j) {
+    const double moved = noisy.lasting[j] - still.lasting[j];
+    if (moved <= kLeastMoved * noisy.lasting[j]) continue;
+    squares.push_back((measured.lasting[j] - still.lasting[j]) / moved);
   }
-  return squares.empty() ? 1 : std::sqrt(std::max(0.0025, quantile(squares, 0.5)));
+  return squares.empty() ? 1 : std::sqrt(std::max(kLeast * kLeast, quantile(squares, 0.5)));
 }
 
-// As many simulated runs as were measured, drawn at random, each less its mean.
-RunsByBlock drawSet(const WholeData& data, const WholePool& pool, Random& random) {
+// [rad^2] by which jitter alone makes a bin of this joint scatter.
+double jitterVariance(const WholeData& data, std::size_t g) {
+  const WholeSimulator& simulator = data.simulator();
+  const FeatureGroup& group = data.spaces()[0].groups()[g];
+  const auto joint = simulator.model().findJoint(group.name);
+  double square = 0;
+  for (const EffectSetting& effect : simulator.model().noise) {
+    const auto amplitude = effect.parameters.find("amplitude");
+    if (effect.name != "encoder_jitter" || amplitude == effect.parameters.end()) continue;
+    const auto& on = effect.joints;
+    if (!on.empty() && std::find(on.begin(), on.end(), joint) == on.end()) continue;
+    square += amplitude->second * amplitude->second;
+  }
+  return square / 2 * simulator.measured()[0].dt / group.dt;  // encoder_jitter.cc; mean of a bin
+}
+
+// As many simulated runs as were measured, drawn at random, each less its mean. `pool`: started
+// alike.
+Scatter drawSet(const WholeData& data, const WholePool& pool, Random& random) {
   const auto means = meansOf(pool);
-  RunsByBlock drawn;
+  Scatter drawn;
   for (const WholeBlock& block : data.simulator().blocks()) {
-    auto& runs = drawn.emplace_back();
+    std::vector<Eigen::VectorXd> runs;
     for (const std::size_t run : block.runs) {
       if (pool[run].size() < 2) continue;
       const auto n = static_cast<double>(pool[run].size());
       const auto pick = static_cast<std::size_t>(random.uniform() * n);
       runs.push_back((pool[run][pick] - means[run]) * std::sqrt(n / (n - 1)));
     }
+    drawn.deviations.push_back(deviationsOf({runs}));
   }
   return drawn;
 }
+
+// [s] RMS by which measured runs began apart.
+double startsIn(const WholeData& data) {
+  Scatter scatter;
+  for (std::size_t block = 0; block < data.spaces().size(); ++block) {
+    std::vector<Eigen::VectorXd> runs;
+    for (const std::size_t run : data.simulator().blocks()[block].runs) {
+      runs.push_back(data.measured(run));
+    }
+    const Alike alike = startedAlike(data, block, std::move(runs));
+    scatter.add(alike, static_cast<double>(alike.late.size()) - 1);
+  }
+  return std::sqrt(scatter.late_squares / std::max(1.0, scatter.late_degrees));
+}
+
+// Of a model with some causes. Hanging limbs are run without jitter, which comes last: readings
+// that jump by counts do not stay a count off, as others do; and they begin as those measured did.
+class SpreadFit {
+ public:
+  SpreadFit(const WholeData& data, const std::vector<EffectSetting>& causes, int per_run,
+            std::size_t most, int jobs)
+      : data_(data),
+        causes_(causes),
+        most_(most),
+        jobs_(jobs),
+        jitter_(data.hasCoarse() ? 0 : 1),
+        starts_(startsIn(data)),
+        pool_(simulate(1, per_run)),
+        still_pool_(simulate(kStill, kStillRuns)),
+        noisy_(momentsOf(data, scatterOf(data, pool_))),
+        still_(momentsOf(data, scatterOf(data, still_pool_))) {
+    // Of hanging limbs still runs are nearer to the mean of noisy ones than the mean of few is.
+    if (data.hasCoarse()) {
+      measure(still_pool_, still_, kStillRuns);
+    } else {
+      measure(pool_, noisy_, per_run);
+    }
+  }
+
+  WholeSpread fit() const {
+    WholeSpread spread;
+    spread.noise.torque = scaleOf(measured_, still_, noisy_);
+    if (data_.hasCoarse()) fitMore(spread.noise);
+    compare(spread);
+    chance(spread);
+    return spread;
+  }
+
+ private:
+  static constexpr double kStill = 1e-6;
+  static constexpr int kStillRuns = 2;
+
+  // Means of so few simulated runs, which these commands alone make, are taken off measured ones.
+  void measure(const WholePool& means, const Moments& of_one, int per_run) {
+    measured_ = momentsOf(data_, scatterOfMeasured(data_, means));
+    measured_.variance -= of_one.variance / per_run;
+    measured_.lasting -= of_one.lasting / per_run;
+  }
+
+  WholePool simulate(double torque, int per_run) const {
+    const auto stream = static_cast<std::uint64_t>(WholeStream::Noise);
+    return data_.simulate(causes_, per_run, most_, Blocks::All, stream, {torque, jitter_, starts_},
+                          jobs_);
+  }
+
+  // Runs of hanging limbs cost little, and tell how much readings are off and when they began. Once
+  // more the torque: a joint that sticks answers to it unevenly.
+  void fitMore(NoiseParts& noise) const {
+    const Moments calm = momentsOf(data_, scatterOf(data_, simulate(noise.torque, 2)));
+    noise.torque *= scaleOf(measured_, still_, calm);
+    std::vector<double> squares;
+    for (Eigen::Index j = 0; j < calm.variance.size(); ++j) {
+      const double jitter = jitterVariance(data_, static_cast<std::size_t>(j));
+      if (jitter > 0) squares.push_back((measured_.variance[j] - calm.variance[j]) / jitter);
+    }
+    if (!squares.empty()) noise.jitter = std::sqrt(std::max(0.0, quantile(squares, 0.5)));
+    // Noise alone makes runs look late, too.
+    const double by_noise = std::max(0.0, calm.late * calm.late - still_.late * still_.late);
+    noise.start_sd = std::sqrt(std::max(0.0, starts_ * starts_ - by_noise));
+  }
+
+  void compare(WholeSpread& spread) const {
+    const auto joints = measured_.variance.size();
+    for (Eigen::Index j = 0; j < joints; ++j) {
+      const double jitter = (1 - jitter_) * jitterVariance(data_, static_cast<std::size_t>(j));
+      const double seen = std::sqrt(std::max(0.0, measured_.variance[j]));
+      const double full = std::sqrt(noisy_.variance[j] + jitter);
+      spread.measured_sd += seen / static_cast<double>(joints);
+      spread.simulated_sd += full / static_cast<double>(joints);
+      spread.by_joint.push_back(full > 0 ? seen / full : 1);
+    }
+  }
+
+  void chance(WholeSpread& spread) const {
+    Random random(1, "spread");
+    const WholePool alike = startedAlike(data_, pool_);
+    std::vector<double> scales;
+    for (int set = 0; set < kSets; ++set) {
+      const Moments drawn = momentsOf(data_, drawSet(data_, alike, random));
+      scales.push_back(scaleOf(drawn, still_, noisy_));
+    }
+    spread.low = quantile(scales, 0.005);
+    spread.high = quantile(scales, 0.995);
+    const double torque = spread.noise.torque;
+    spread.differs = (torque < spread.low || torque > spread.high) &&
+                     std::abs(std::log(torque)) > std::log(kOfInterest);
+  }
+
+  const WholeData& data_;
+  const std::vector<EffectSetting>& causes_;
+  std::size_t most_;
+  int jobs_;
+  double jitter_, starts_;  // of what is simulated; [s]
+  WholePool pool_, still_pool_;
+  Moments noisy_, still_, measured_;
+};
 
 }  // namespace
 
 WholeSpread fitSpread(const WholeData& data, const std::vector<EffectSetting>& causes, int runs,
                       int jobs) {
   std::size_t most = 0;
-  RunsByBlock measured;
   for (const WholeBlock& block : data.simulator().blocks()) {
     most = std::max(most, block.runs.size());
   }
-  WholeSpread spread;
-  if (most < 2) return spread;
-  const int per_run = std::max(4, perRun(runs, most));
-  const auto streams = static_cast<std::uint64_t>(WholeStream::Noise);
-  const WholePool noisy = data.simulate(causes, per_run, most, Blocks::All, streams, 1, jobs);
-  const WholePool still = data.simulate(causes, 2, most, Blocks::All, streams, 1e-6, jobs);
-  const std::vector<double> full = simulatedVariance(data, noisy);
-  const std::vector<double> rest = simulatedVariance(data, still);
-  for (const WholeBlock& block : data.simulator().blocks()) {
-    measured.push_back(measuredRuns(data, noisy, block));
-  }
-  const std::vector<double> seen = repeatVariance(data, measured);
-  spread.noise = scaleOf(seen, rest, full);
-  for (std::size_t j = 0; j < seen.size(); ++j) {
-    spread.measured_sd += std::sqrt(seen[j]) / static_cast<double>(seen.size());
-    spread.simulated_sd += std::sqrt(full[j]) / static_cast<double>(seen.size());
-    spread.by_joint.push_back(full[j] > 0 ? std::sqrt(seen[j] / full[j]) : 1);
-  }
-  Random random(1, "spread");
-  std::vector<double> scales;
-  for (int set = 0; set < kSets; ++set) {
-    scales.push_back(scaleOf(repeatVariance(data, drawSet(data, noisy, random)), rest, full));
-  }
-  spread.low = quantile(scales, 0.005);
-  spread.high = quantile(scales, 0.995);
-  spread.differs = (spread.noise < spread.low || spread.noise > spread.high) &&
-                   std::abs(std::log(spread.noise)) > std::log(kOfInterest);
-  return spread;
+  WholeSpread none;
+  if (data.hasCoarse()) none.noise.start_sd = data.simulator().model().start_sd;
+  if (most < 2) return none;
+  return SpreadFit(data, causes, std::max(4, perRun(runs, most)), most, jobs).fit();
 }
 
 }  // namespace nao::validation

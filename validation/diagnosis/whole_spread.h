@@ -8,9 +8,10 @@ namespace nao::validation {
 
 /// Second moments: how much more the repeats scatter than the model's own noise lets them.
 struct WholeSpread {
-  double noise = 1;              // times the model's torque noise that fits the repeats
-  double low = 0, high = 0;      // 99 % of sets of the model's own noise give a number in between
-  bool differs = false;          // from the model's noise, by more than chance
+  NoiseParts noise;  // of the model's own, that fits the repeats
+  double low = 0,
+         high = 0;       // 99 % of sets of the model's own torque noise are told as one in between
+  bool differs = false;  // from the model's noise, by more than chance
   double measured_sd = 0;        // [rad] of the legs' (or all) joints, mean of runs
   double simulated_sd = 0;       // [rad] with the model's noise
   std::vector<double> by_joint;  // measured over simulated SD, as WholeSimulator::joints()

@@ -6,6 +6,7 @@
 
 #include "core/random.h"
 #include "validation/diagnosis/team.h"
+#include "validation/diagnosis/whole_scatter.h"
 
 namespace nao::validation {
 namespace {
@@ -24,9 +25,10 @@ int runsPerMeasured(const WholeData& data, int runs, bool held = false) {
 }
 
 WholePool simulate(const WholeTask& task, const WholeModel& model, WholeStream stream) {
-  return task.data->simulate(settingsOf(*task.causes, model),
-                             std::max(4, runsPerMeasured(*task.data, task.effort.base_runs)),
-                             kAllRuns, Blocks::All, number(stream), task.noise, task.jobs);
+  const int runs = std::max(4, runsPerMeasured(*task.data, task.effort.base_runs));
+  return startedAlike(
+      *task.data, task.data->simulate(settingsOf(*task.causes, model), runs, kAllRuns, Blocks::All,
+                                      number(stream), task.noise, task.jobs));
 }
 
 Eigen::VectorXd residual(const WholeData& data, const std::vector<Eigen::VectorXd>& means) {

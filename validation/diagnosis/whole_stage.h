@@ -34,7 +34,7 @@ struct WholeTask {
   const WholeData* data = nullptr;
   const std::vector<PlacedCause>* causes = nullptr;
   WholeEffort effort;
-  double noise = 1;  // times the torque noise of the robot's file
+  NoiseParts noise;
   int jobs = 1;
   long granted = kNoLimit;  // simulated runs, of data
 };

@@ -176,7 +176,7 @@ TEST(Thesis, AShortWalkIsAWeakBattery) {
   EXPECT_NEAR(numberOf(*named(found).front().second, "drop"), 0.62, 0.03);
   // Its repeats scatter as the battery lets them, with no more noise than a Nao has.
   const auto& spread = found.spreads.front();
-  EXPECT_LT(spread.found.noise, 0.8 * spread.spread.noise);
+  EXPECT_LT(spread.found.noise.torque, 0.8 * spread.spread.noise.torque);
 }
 
 // Figure 24: a circle of 0.6 m that one robot leaves. Its left hip's encoder is turned by 3.4

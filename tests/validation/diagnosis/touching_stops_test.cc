@@ -7,6 +7,7 @@
 
 #include "core/suspend.h"
 #include "tests/support/models.h"
+#include "validation/diagnosis/whole_fit.h"
 #include "validation/log/simulated_recording.h"
 
 namespace nao::validation {
@@ -27,7 +28,8 @@ TEST(TouchingStops, AreMetByNothingThatTheyWereMeasuredFrom) {
 // A hull's lower edge of a hanging ankle, which that joint's slow sweep meets; nothing else is.
 class StoppedAnkle : public testing::Test {
  protected:
-  LogSet record() const {
+  // `beside`: the middle of its roll's sweep [rad].
+  LogSet record(double place, double beside) const {
     RecordingPlan plan;
     plan.model = model_;
     plan.joints = {"LAnklePitch", "LAnkleRoll"};
@@ -35,15 +37,15 @@ class StoppedAnkle : public testing::Test {
     moveOnly(plan.joints, model_, plan.motions);
     plan.motions[0].angles = [all = plan.motions[0].angles,
                               pitch = *model_->findJoint("LAnklePitch"),
-                              roll = *model_->findJoint("LAnkleRoll")](double t) {
+                              roll = *model_->findJoint("LAnkleRoll"), beside](double t) {
       JointArray<double> angle = all(t);
       angle[pitch] = -0.6 - 0.3 * std::sin(2 * t);
-      angle[roll] = -0.3 - 0.09 * std::sin(3 * t);
+      angle[roll] = beside - 0.09 * std::sin(3 * t);
       return angle;
     };
     plan.repeats = 3;
     plan.extra = {{"coupled_stop",
-                   {{"upper", 0}, {"lower", kSlope}, {"place", kPlace}},
+                   {{"upper", 0}, {"lower", kSlope}, {"place", place}},
                    {*model_->findJoint("LAnkleRoll")},
                    ""}};
     return recordSimulated(plan);
@@ -51,7 +53,7 @@ class StoppedAnkle : public testing::Test {
 
   std::shared_ptr<const RobotModel> model_ =
       std::make_shared<RobotModel>(suspend(*test::robot("nao_h21_v33_no_hull")));
-  WholeSimulator simulator_{record(), model_};
+  WholeSimulator simulator_{record(kPlace, -0.3), model_};
 };
 
 // The slopes of the row are a third apart, so that one is within a sixth of the hidden one: over
@@ -74,6 +76,26 @@ TEST_F(StoppedAnkle, TouchesWhereTheHiddenStopWas) {
   }
   EXPECT_LT(nearest, 0.16);
   EXPECT_NEAR(inside, 0, 0.02);
+}
+
+// What a slope moves is where the line is met, 0.9 rad from its place: it changes what a place
+// does, by how far that is over the slope. Steps by which the line left the sweep's end for good
+// said 15 % less, and that the two make up for each other by 12 % less than they do.
+TEST_F(StoppedAnkle, TurnsAboutItsPlace) {
+  const WholeSimulator simulator(record(0, 0.2), model_);
+  std::vector<PlacedCause> causes;
+  for (const PlacedCause& one : limbCauses(*model_, "LLeg", simulator.joints())) {
+    if (one.cause.id == "coupled_stop.lower" && one.place == "LAnkleRoll") causes.push_back(one);
+  }
+  const WholeData data(simulator, simulator.joints(), false);
+  const WholeTask task{&data, &causes, {}, {}, 1};
+  WholeFit fit;
+  fit.model = {{0, {kSlope, 0}}};
+  addJacobian(task, fit);
+  const Eigen::VectorXd slope = fit.jacobian.col(0), place = fit.jacobian.col(1);
+  const double along = slope.dot(place) / place.squaredNorm();
+  EXPECT_NEAR(along, 0.9 / kSlope, 0.05);
+  EXPECT_LT((slope - along * place).norm(), 0.05 * slope.norm());
 }
 
 }  // namespace

@@ -221,7 +221,7 @@ TEST(WholeSpread, TellsThatRepeatsScatterMoreThanTheModel) {
   const WholeData data(simulator, simulator.joints(), false);
   const WholeSpread spread = fitSpread(data, {}, 12, 1);
   EXPECT_TRUE(spread.differs);
-  EXPECT_NEAR(spread.noise, 3, 0.7);
+  EXPECT_NEAR(spread.noise.torque, 3, 0.7);
 }
 
 }  // namespace
