@@ -44,7 +44,7 @@ WholeDiagnosis diagnose(const LogSet& set, std::vector<std::string> only = kShou
   options.handed_on = std::move(handed_on);
   options.effort.base_runs = options.effort.step_runs = 12;
   options.effort.fit_runs = 3;
-  options.effort.finalists = 2;
+  options.effort.finalists = 3;
   return diagnoseWhole(set, test::robot("nao_h21_v33"), options);
 }
 
@@ -182,7 +182,7 @@ WholeDiagnosis diagnoseLimbs(const LogSet& set, std::vector<std::string> only) {
   options.only = std::move(only);
   options.effort.base_runs = options.effort.step_runs = 12;
   options.effort.fit_runs = 3;
-  options.effort.finalists = 2;
+  options.effort.finalists = 3;
   return diagnoseWhole(set, test::robot("nao_h21_v33"), options);
 }
 
