@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/check.h"
+#include "core/suspend.h"
 #include "validation/diagnosis/whole_causes.h"
 
 namespace nao::validation {
@@ -73,8 +74,9 @@ std::vector<ListedCause> listCauses(const std::string& level, const RobotModel& 
   const std::vector<Joint> joints = allJoints(model);
   std::vector<ListedCause> listed;
   if (level == "limb") {
-    for (const std::string& limb : limbsOf(model, joints)) {
-      add(limbCauses(model, limb, joints), listed);
+    const RobotModel hung = model.fixed_base ? model : suspend(model);
+    for (const std::string& limb : limbsOf(hung, joints)) {
+      add(limbCauses(hung, limb, joints), listed);
     }
   } else if (level == "robot") {
     add(robotCauses(model, joints), listed);

@@ -43,24 +43,29 @@ const Ids kArmJoint{"encoder_offset", "kp_error", "coulomb_friction"};
 const Ids kHull{"coupled_stop.upper", "coupled_stop.lower"};
 const Ids kStops{"joint_stop.upper", "joint_stop.lower"};
 
-// How the weight of a heavier link is spread, what friction goes with, how softly a gear gives way
-// or a dead band ends: such second numbers are left to the joint.
-const std::vector<Cause>& knownCauses() {
-  static const std::vector<Cause> causes = [] {
-    std::vector<Cause> all = jointCauses();
-    for (Cause& cause : all) {
-      for (const char* id : {"link_mass", "coulomb_friction", "load_friction", "servo_deadband",
-                             "backlash", "gear_compliance"}) {
-        if (cause.id == id) cause.free.resize(1);
-      }
+// Second numbers that are left to the joint: how the weight of a heavier link is spread, what
+// friction goes with, how softly a gear gives way; of robots on their feet also how slowly what
+// sticks creeps, and how softly a dead band ends.
+const Ids kOneNumber{"link_mass", "load_friction", "backlash", "gear_compliance"};
+const Ids kOneNumberOnFeet{"coulomb_friction", "servo_deadband"};
+
+std::vector<Cause> reduced(std::vector<Cause> all, const Ids& ids) {
+  for (Cause& cause : all) {
+    for (const char* id : ids) {
+      if (cause.id == id) cause.free.resize(1);
     }
-    return all;
-  }();
-  return causes;
+  }
+  return all;
 }
 
-const Cause* find(const std::string& id) {
-  const auto& all = knownCauses();
+const std::vector<Cause>& knownCauses(bool hangs) {
+  static const std::vector<Cause> hanging = reduced(jointCauses(), kOneNumber);
+  static const std::vector<Cause> standing = reduced(hanging, kOneNumberOnFeet);
+  return hangs ? hanging : standing;
+}
+
+const Cause* find(const std::string& id, bool hangs) {
+  const auto& all = knownCauses(hangs);
   const auto at =
       std::find_if(all.begin(), all.end(), [&](const Cause& cause) { return cause.id == id; });
   return at == all.end() ? nullptr : &*at;
@@ -95,7 +100,7 @@ Cause bounded(Cause cause, const RobotModel& model, const std::vector<Joint>& jo
 class Builder {
  public:
   Builder(const RobotModel& model, const std::vector<Joint>& measured)
-      : model_(model), measured_(measured) {}
+      : model_(model), measured_(measured), hangs_(model.fixed_base) {}
 
   void add(const Cause& cause, const std::string& place, const std::vector<Joint>& joints) {
     all_.push_back(placedCause(cause, place, joints, model_, measured_));
@@ -114,7 +119,7 @@ class Builder {
   void addSpread(const Ids& ids, const std::vector<Joint>& joints) {
     for (const Joint joint : joints) {
       for (const char* id : ids) {
-        const Cause* cause = find(id);
+        const Cause* cause = find(id, hangs_);
         if (cause == nullptr) continue;
         all_.push_back(
             placedCause(*cause, model_.actuators[index(joint)].name, {joint}, model_, measured_));
@@ -134,7 +139,7 @@ class Builder {
   }
   void add(const Ids& ids, const std::string& place, const std::vector<Joint>& joints) {
     for (const char* id : ids) {
-      if (const Cause* cause = find(id)) add(*cause, place, joints);
+      if (const Cause* cause = find(id, hangs_)) add(*cause, place, joints);
     }
   }
   // Two legs may share a joint: it is tried once.
@@ -151,6 +156,7 @@ class Builder {
  private:
   const RobotModel& model_;
   const std::vector<Joint>& measured_;
+  bool hangs_;
   std::vector<PlacedCause> all_;
   std::vector<Joint> added_, done_;
 };
@@ -203,7 +209,7 @@ Cause sensorCause(const std::string& effect, const std::string& parameter, doubl
 }
 
 void addEverywhere(Builder& builder, const std::string& id, bool hangs) {
-  const Cause* cause = find(id);
+  const Cause* cause = find(id, hangs);
   if (cause == nullptr) return;
   builder.add(id == "command_hold" && !hangs ? withPhase(*cause) : *cause, "robot", {});
 }

@@ -110,17 +110,26 @@ TEST(CauseList, HasTheCausesOfEveryLevel) {
   EXPECT_NE(showCause("ground_friction", *nao).find("tried on: robot"), std::string::npos);
 }
 
-// Second numbers double what there is to fit: only where a limb's stop begins is its own.
-TEST(CauseList, OfLimbsAndRobotsHasOneNumberEach) {
-  const auto nao = nao::test::robot("nao_h21_v33");
-  for (const char* level : {"limb", "robot"}) {
-    for (const ListedCause& one : listCauses(level, *nao)) {
-      const auto& all = one.cause.free;
-      const auto fitted = std::count_if(all.begin(), all.end(),
-                                        [](const FreeNumber& number) { return !number.stays; });
-      EXPECT_EQ(fitted, one.cause.coupled ? 2 : 1) << level << " " << one.cause.id;
-    }
+std::set<std::string> withTwoNumbers(const char* level) {
+  std::set<std::string> two;
+  for (const ListedCause& one : listCauses(level, *nao::test::robot("nao_h21_v33"))) {
+    const auto& all = one.cause.free;
+    const auto fitted = std::count_if(all.begin(), all.end(),
+                                      [](const FreeNumber& number) { return !number.stays; });
+    EXPECT_LE(fitted, 2) << one.cause.id;
+    if (fitted > 1) two.insert(one.cause.id);
   }
+  return two;
+}
+
+// Second numbers double what there is to fit. Hanging limbs tell a friction that creeps from one
+// that sticks: without, 0.9 N m of it were told as 0.81 and a remainder.
+TEST(CauseList, OfLimbsAndRobotsHasFewSecondNumbers) {
+  EXPECT_EQ(withTwoNumbers("limb"),
+            (std::set<std::string>{"coulomb_friction", "coupled_stop.lower", "coupled_stop.upper",
+                                   "servo_deadband"}));
+  EXPECT_EQ(withTwoNumbers("robot"),
+            (std::set<std::string>{"coupled_stop.lower", "coupled_stop.upper"}));
 }
 
 // An ankle that was left with 0.087 of its torque was no candidate: at 0.4 hardly anything shows.
