@@ -48,12 +48,13 @@ void JointData::addMotions(Split split, const JointNoise& noise) {
     has_repeats_ = has_repeats_ && !alone;
     addMotion(
         m, motion,
-        alone ? statisticsOf(motion, simulatedRepeats(joint_, m, noise)) : statisticsOf(motion));
+        alone ? statisticsOf(motion, simulatedRepeats(joint_, m, noise)) : statisticsOf(motion),
+        noise.start_sd);
   }
 }
 
 void JointData::addMotion(std::size_t motion, const JointMotion& measured,
-                          const RepeatStatistics& found) {
+                          const RepeatStatistics& found, double start_sd) {
   const MotionSpan span{
       motion,      measured.split, mean_.size(), found.mean.rows(), found.mean.cols(),
       measured.dt, found.repeats};
@@ -61,6 +62,7 @@ void JointData::addMotion(std::size_t motion, const JointMotion& measured,
   sd_.conservativeResize(span.offset + span.size());
   rounding_.conservativeResize(span.offset + span.size());
   const auto second = std::max<Eigen::Index>(1, std::lround(1 / measured.dt));
+  const Eigen::VectorXd apart = start_sd * rateOf(found.mean.col(0), measured.dt);
   for (Eigen::Index s = 0; s < span.signals; ++s) {
     const Eigen::Index at = span.offset + s * span.rows;
     mean_.segment(at, span.rows) = found.mean.col(s);
@@ -68,7 +70,9 @@ void JointData::addMotion(std::size_t motion, const JointMotion& measured,
     for (Eigen::Index i = 0; i < span.rows; ++i) {
       const double sd = found.sd(i, s);
       const double rounding =
-          s == 0 && quantum_ > 0 ? quantum_ * std::hypot(kBesides, roundingOf(sd / quantum_)) : 0;
+          s == 0 && quantum_ > 0
+              ? quantum_ * std::hypot(kBesides, roundingOf(std::hypot(sd, apart[i]) / quantum_))
+              : 0;
       rounding_[at + i] = rounding;
       sd_[at + i] = std::sqrt(sd * sd * part + rounding * rounding);
       block_.push_back(blocks_ + static_cast<int>(i / second));

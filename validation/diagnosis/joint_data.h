@@ -52,7 +52,9 @@ class JointData {
 
  private:
   void addMotions(Split split, const JointNoise& noise);
-  void addMotion(std::size_t motion, const JointMotion& measured, const RepeatStatistics& found);
+  // `start_sd`: [s] by which repeats begin apart, which shakes what encoders round.
+  void addMotion(std::size_t motion, const JointMotion& measured, const RepeatStatistics& found,
+                 double start_sd);
 
   const JointSimulator& joint_;
   std::vector<MotionSpan> spans_;
