@@ -71,9 +71,9 @@ double momentOf(const WholeData& data, const Scatter& scatter, std::size_t joint
     const FeatureGroup& group = data.spaces()[block].groups()[joint];
     const auto part = scatter.deviations[block].middleRows(group.offset, group.size);
     const Eigen::Index rows = part.rows() - lags.back();
-    Eigen::VectorXd products = Eigen::VectorXd::Zero(std::max<Eigen::Index>(rows, 0));
+    if (rows <= 0) continue;
+    Eigen::VectorXd products = Eigen::VectorXd::Zero(rows);
     for (const Eigen::Index lag : lags) {
-      if (rows <= 0) continue;
       products += part.topRows(rows).cwiseProduct(part.middleRows(lag, rows)).rowwise().sum();
     }
     const auto count = static_cast<double>(part.cols()) * static_cast<double>(lags.size());

@@ -8,10 +8,9 @@ namespace nao::validation {
 
 /// Second moments: how much more the repeats scatter than the model's own noise lets them.
 struct WholeSpread {
-  NoiseParts noise;  // of the model's own, that fits the repeats
-  double low = 0,
-         high = 0;       // 99 % of sets of the model's own torque noise are told as one in between
-  bool differs = false;  // from the model's noise, by more than chance
+  NoiseParts noise;              // of the model's own, that fits the repeats
+  double low = 0, high = 0;      // torque: 99 % of sets of the model's own are told as in between
+  bool differs = false;          // from the model's noise, by more than chance
   double measured_sd = 0;        // [rad] of the legs' (or all) joints, mean of runs
   double simulated_sd = 0;       // [rad] with the model's noise
   std::vector<double> by_joint;  // measured over simulated SD, as WholeSimulator::joints()
