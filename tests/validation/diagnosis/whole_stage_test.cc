@@ -45,7 +45,7 @@ class HungLeg : public testing::Test {
   WholeSimulator simulator_{record(), model_};
   WholeData data_{simulator_, simulator_.judged(), false};
   std::vector<PlacedCause> causes_;
-  WholeTask task_{&data_, &causes_, {}, 1, 1};
+  WholeTask task_{&data_, &causes_, {}, {1, 1, model_->start_sd}, 1};
 };
 
 // Gains differ by up to 2 %, 1.7 SD: that is what one that does is worth, whatever it moves. By the
