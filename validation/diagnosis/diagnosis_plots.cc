@@ -25,15 +25,6 @@ EffectSetting settingOf(const Finding& finding) {
   return settingOf(finding.effect, finding.numbers);
 }
 
-RunSpread simulated(const JointTask& task, const JointSimulator& joint,
-                    const std::vector<EffectSetting>& causes, std::size_t motion, int runs) {
-  std::vector<Eigen::MatrixXd> all;
-  for (int r = 0; r < runs; ++r) {
-    all.push_back(joint.run(causes, motion, static_cast<std::uint64_t>(r) + 1, task.noise));
-  }
-  return spreadOf(all, 0);
-}
-
 // The rival of a finding that may stand in its place; null: none has numbers.
 const Rival* rivalOf(const Finding& finding) {
   for (const Rival& rival : finding.rivals) {
@@ -59,15 +50,13 @@ Series curve(const std::string& label, double dt, const Eigen::VectorXd& angle, 
   return series;
 }
 
-// Rigs tell as much.
-std::size_t worstMotion(const JointTask& task, int runs) {
-  std::size_t worst = task.joint->measured().size();
+std::size_t worstMotion(const JointSimulator& joint, const ReplayedRuns& nominal) {
+  std::size_t worst = nominal.noisy.size();
   double largest = -1;
-  for (std::size_t m = 0; m < task.joint->measured().size(); ++m) {
-    const JointMotion& motion = task.joint->measured()[m];
-    if (motion.split == Split::Test) continue;
-    const RunSpread nominal = simulated(task, *task.joint, {}, m, runs);
-    const double error = (spreadOf(motion.repeats, 0).mean - nominal.mean).squaredNorm();
+  for (std::size_t m = 0; m < nominal.noisy.size(); ++m) {
+    if (nominal.noisy[m].empty()) continue;
+    const Eigen::VectorXd measured = spreadOf(joint.measured()[m].repeats, 0).mean;
+    const double error = (measured - spreadOf(nominal.noisy[m], 0).mean).squaredNorm();
     if (error > largest) largest = error, worst = m;
   }
   NAO_CHECK(largest >= 0);
@@ -111,24 +100,28 @@ void addRival(JointCourse& course, const JointTask& task, const std::string& riv
               const std::vector<EffectSetting>& effects, int runs) {
   for (std::size_t m = 0; m < task.joint->measured().size(); ++m) {
     if (task.joint->measured()[m].motion != course.motion) continue;
+    std::vector<Eigen::MatrixXd> all;
+    for (int r = 0; r < runs; ++r) {
+      const std::uint64_t stream = streamOf(StreamUse::Replay, m, r);
+      all.push_back(task.joint->exact().run(effects, m, stream, task.noise));
+    }
     course.rival = rival;
-    course.with_rival = simulated(task, task.joint->exact(), effects, m, runs).mean;
+    course.with_rival = spreadOf(all, 0).mean;
   }
 }
 
-JointCourse worstCourse(const JointTask& task, const std::vector<EffectSetting>& found, int runs) {
-  const std::size_t at = worstMotion(task, runs);
-  const JointMotion& motion = task.joint->measured()[at];
-  const JointSimulator& exact = task.joint->exact();
+JointCourse worstCourse(const JointSimulator& joint, const ReplayedRuns& nominal,
+                        const ReplayedRuns& extended) {
+  const std::size_t at = worstMotion(joint, nominal);
+  const JointMotion& motion = joint.measured()[at];
   const RunSpread measured = spreadOf(motion.repeats, 0);
-  const RunSpread nominal = simulated(task, exact, {}, at, runs);
-  const auto repeats = static_cast<double>(motion.repeats.size());
+  const RunSpread without = spreadOfPairs(nominal.noisy[at], 0);
   JointCourse course{motion.motion, motion.dt, measured.mean,
-                     nominal.mean,  {},        (measured.variance / repeats).cwiseSqrt()};
-  course.extended = simulated(task, exact, found, at, runs).mean;
-  if (repeats > 1) {
+                     without.mean,  {},        measured.of_mean.cwiseSqrt()};
+  course.extended = spreadOf(extended.noisy[at], 0).mean;
+  if (motion.repeats.size() > 1) {
     course.measured_sd = measured.variance.cwiseSqrt();
-    course.simulated_sd = nominal.variance.cwiseSqrt();
+    course.simulated_sd = without.variance.cwiseSqrt();
   }
   return course;
 }

@@ -31,9 +31,10 @@ std::pair<std::string, std::vector<EffectSetting>> rivalEffects(const SetDiagnos
                                                                 const JointVerdict& joint,
                                                                 const std::vector<Joint>& place);
 
-/// The fit or select motion in which the nominal model is furthest off, by `runs` runs each.
-JointCourse worstCourse(const JointTask& task, const std::vector<EffectSetting>& found, int runs);
-/// Adds what a rival makes of that motion.
+/// The motion in which the nominal model is furthest off, of those that were replayed.
+JointCourse worstCourse(const JointSimulator& joint, const ReplayedRuns& nominal,
+                        const ReplayedRuns& extended);
+/// Adds what a rival makes of that motion, by `runs` runs.
 void addRival(JointCourse& course, const JointTask& task, const std::string& rival,
               const std::vector<EffectSetting>& effects, int runs);
 

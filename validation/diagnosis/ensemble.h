@@ -17,7 +17,7 @@ class JointData;
 struct MotionSpan;
 
 /// What a run's random numbers are for: streams of different use never meet.
-enum class StreamUse : std::uint64_t { Mean = 1, Pool = 2, Spread = 4, Noise = 5 };
+enum class StreamUse : std::uint64_t { Mean = 1, Pool = 2, Spread = 4, Noise = 5, Replay = 6 };
 
 /// Many runs of every motion with one model, all alike but for their noise.
 struct RunPool {
@@ -44,9 +44,9 @@ struct RunPool {
 enum class Over { Fit, All };
 
 /// The stream of one repeat of one motion: the same for every list of causes. Runs that a mean is
-/// made of mirror each other in pairs (run_noise.h), those that show how runs differ do not.
+/// made of mirror each other in pairs (run_noise.h), those that only show how runs differ do not.
 constexpr std::uint64_t streamOf(StreamUse use, std::size_t motion, int repeat) {
-  const bool paired = use == StreamUse::Mean || use == StreamUse::Pool;
+  const bool paired = use != StreamUse::Spread && use != StreamUse::Noise;
   const auto run = static_cast<std::uint64_t>(repeat);
   return (static_cast<std::uint64_t>(use) << 56) | (static_cast<std::uint64_t>(motion) << 40) |
          (paired ? run : (run / 2) * 4 + run % 2);

@@ -6,21 +6,23 @@
 namespace nao::validation {
 namespace {
 
-constexpr int kRuns = 16;  // simulated per mean that is shown; free choice
+constexpr int kRuns = 8;  // simulated per mean that is shown; free choice
 
 ExaminedJoint examine(const JointTask& task, const SetDiagnosis& diagnosis,
                       const JointVerdict& verdict) {
-  const std::vector<Split> seen{Split::Fit, Split::Select};
+  const JointSimulator& exact = task.joint->exact();
   const std::vector<Joint> place = task.joint->place();
   const auto found = foundEffects(diagnosis, verdict, place);
   const auto replayed = [&](const std::vector<EffectSetting>& causes) {
-    return replayJoint(task.joint->exact(), causes, task.noise, kRuns, seen);
+    return replayRuns(exact, causes, task.noise, kRuns, {Split::Fit, Split::Select});
   };
-  ExaminedJoint examined;
-  examined.before = examined.after = replayed({});
-  if (!found.empty()) examined.after = replayed(found);
+  const ReplayedRuns nominal = replayed({});
+  const ReplayedRuns extended = found.empty() ? nominal : replayed(found);
+  ExaminedJoint examined{compareReplay(exact, nominal, task.noise.start_sd),
+                         compareReplay(exact, extended, task.noise.start_sd),
+                         {}};
   if (verdict.verdict == Verdict::NoDiscrepancy) return examined;
-  examined.course = worstCourse(task, found, kRuns);
+  examined.course = worstCourse(exact, nominal, extended);
   const auto [rival, effects] = rivalEffects(diagnosis, verdict, place);
   if (!rival.empty()) addRival(examined.course, task, rival, effects, kRuns);
   return examined;

@@ -4,18 +4,19 @@
 #include <cmath>
 
 #include "core/check.h"
+#include "validation/diagnosis/ensemble.h"
 #include "validation/diagnosis/start_offsets.h"
 
 namespace nao::validation {
 namespace {
 
 struct Sums : ReplaySums {
-  void addError(const RunSpread& measured, const RunSpread& ensemble, double repeats, int runs) {
+  void addError(const RunSpread& measured, const RunSpread& ensemble, double repeats) {
     // A single run has no spread of its own: that of the model stands in.
     const Eigen::VectorXd& spread = repeats > 1 ? measured.variance : ensemble.variance;
     error += (measured.mean - ensemble.mean).squaredNorm();
     absolute += (measured.mean - ensemble.mean).cwiseAbs().sum();
-    explained += (spread / repeats + ensemble.variance / runs).sum();
+    explained += (spread / repeats + ensemble.of_mean).sum();
     floor += spread.sum() / repeats;
     samples += static_cast<double>(measured.mean.size());
   }
@@ -25,10 +26,18 @@ struct Sums : ReplaySums {
   }
 };
 
-// Against `reference`, the start of every run fitted.
-RunSpread spreadAbout(const std::vector<Eigen::MatrixXd>& runs, const Eigen::VectorXd& reference,
-                      double dt, double start_sd) {
-  return spreadOf(startedAlike(runs, reference, dt, start_sd), 0);
+void addMotion(const JointMotion& motion, const std::vector<Eigen::MatrixXd>& simulated,
+               const Eigen::VectorXd& noise_free, double start_sd, Sums& sums) {
+  const auto alike = [&](const std::vector<Eigen::MatrixXd>& runs, const Eigen::VectorXd& mean) {
+    return startedAlike(runs, mean, motion.dt, start_sd);
+  };
+  const RunSpread ensemble = spreadOfPairs(simulated, 0);
+  sums.addSpread(spreadOf(motion.repeats, 0), ensemble);
+  sums.addError(spreadOf(alike(motion.repeats, ensemble.mean), 0),
+                spreadOfPairs(alike(simulated, ensemble.mean), 0),
+                static_cast<double>(motion.repeats.size()));
+  const RunSpread about = spreadOf(alike(motion.repeats, noise_free), 0);
+  sums.noise_free += (about.mean - noise_free).squaredNorm();
 }
 
 }  // namespace
@@ -52,37 +61,62 @@ JointReplay ReplaySums::finish(const std::string& joint) const {
 RunSpread spreadOf(const std::vector<Eigen::MatrixXd>& runs, Eigen::Index signal) {
   NAO_CHECK(!runs.empty());
   const auto count = static_cast<double>(runs.size());
-  RunSpread spread{Eigen::VectorXd::Zero(runs[0].rows()), Eigen::VectorXd::Zero(runs[0].rows())};
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(runs[0].rows());
+  RunSpread spread{none, none, none};
   for (const Eigen::MatrixXd& run : runs) spread.mean += run.col(signal) / count;
   for (const Eigen::MatrixXd& run : runs) {
     spread.variance += (run.col(signal) - spread.mean).cwiseAbs2() / std::max(1.0, count - 1);
   }
+  spread.of_mean = spread.variance / count;
   return spread;
+}
+
+// Pairs know nothing of each other; deviations from the mean lack what the mean itself is off by.
+RunSpread spreadOfPairs(const std::vector<Eigen::MatrixXd>& runs, Eigen::Index signal) {
+  NAO_CHECK(runs.size() % 4 == 0);
+  std::vector<Eigen::MatrixXd> pairs;
+  for (std::size_t i = 0; i < runs.size(); i += i % 4 == 1 ? 3 : 1) {
+    pairs.emplace_back((runs[i].col(signal) + runs[i + 2].col(signal)) / 2);
+  }
+  RunSpread spread = spreadOf(runs, signal);
+  const auto count = static_cast<double>(runs.size());
+  spread.of_mean = spreadOf(pairs, 0).of_mean;
+  spread.variance = spread.variance * ((count - 1) / count) + spread.of_mean;
+  return spread;
+}
+
+ReplayedRuns replayRuns(const JointSimulator& joint, const std::vector<EffectSetting>& causes,
+                        const JointNoise& noise, int runs, const std::vector<Split>& splits) {
+  const std::size_t motions = joint.measured().size();
+  ReplayedRuns replayed;
+  replayed.noisy.resize(motions);
+  replayed.noise_free.resize(motions);
+  JointNoise none;
+  none.quantum = noise.quantum;
+  for (std::size_t m = 0; m < motions; ++m) {
+    const Split split = joint.measured()[m].split;
+    if (std::find(splits.begin(), splits.end(), split) == splits.end()) continue;
+    for (int r = 0; r < (runs + 3) / 4 * 4; ++r) {
+      const std::uint64_t stream = streamOf(StreamUse::Replay, m, r);
+      replayed.noisy[m].push_back(joint.run(causes, m, stream, noise));
+    }
+    replayed.noise_free[m] = joint.run(causes, m, 0, none).col(0);
+  }
+  return replayed;
+}
+
+JointReplay compareReplay(const JointSimulator& joint, const ReplayedRuns& runs, double start_sd) {
+  Sums sums;
+  for (std::size_t m = 0; m < runs.noisy.size(); ++m) {
+    if (runs.noisy[m].empty()) continue;
+    addMotion(joint.measured()[m], runs.noisy[m], runs.noise_free[m], start_sd, sums);
+  }
+  return sums.finish(joint.joint());
 }
 
 JointReplay replayJoint(const JointSimulator& joint, const std::vector<EffectSetting>& causes,
                         const JointNoise& noise, int runs, const std::vector<Split>& splits) {
-  Sums sums;
-  for (std::size_t m = 0; m < joint.measured().size(); ++m) {
-    const JointMotion& motion = joint.measured()[m];
-    if (std::find(splits.begin(), splits.end(), motion.split) == splits.end()) continue;
-    std::vector<Eigen::MatrixXd> simulated;
-    for (int r = 0; r < runs; ++r) {
-      simulated.push_back(joint.run(causes, m, static_cast<std::uint64_t>(r) + 1, noise));
-    }
-    JointNoise none;
-    none.quantum = noise.quantum;
-    const auto about = [&](const std::vector<Eigen::MatrixXd>& some, const Eigen::VectorXd& mean) {
-      return spreadAbout(some, mean, motion.dt, noise.start_sd);
-    };
-    const RunSpread ensemble = spreadOf(simulated, 0);
-    sums.addSpread(spreadOf(motion.repeats, 0), ensemble);
-    sums.addError(about(motion.repeats, ensemble.mean), about(simulated, ensemble.mean),
-                  static_cast<double>(motion.repeats.size()), runs);
-    const Eigen::VectorXd alone = joint.run(causes, m, 0, none).col(0);
-    sums.noise_free += (about(motion.repeats, alone).mean - alone).squaredNorm();
-  }
-  return sums.finish(joint.joint());
+  return compareReplay(joint, replayRuns(joint, causes, noise, runs, splits), noise.start_sd);
 }
 
 }  // namespace nao::validation

@@ -21,8 +21,21 @@ struct JointReplay {
   double noise_free_rmse = 0;  // [rad] against one run without noise
 };
 
+/// Runs of a joint in the motions of some splits, by JointSimulator::measured(): a motion of another
+/// split has none.
+struct ReplayedRuns {
+  std::vector<std::vector<Eigen::MatrixXd>> noisy;  // in mirrored pairs (run_noise.h)
+  std::vector<Eigen::VectorXd> noise_free;          // [rad] the angle
+};
+
 /// Replays the commands of the motions of these splits on the model with `causes` and its noise,
-/// `runs` times each.
+/// `runs` times each, or up to three times more: multiples of four mirror each other, and 8 make as
+/// certain a mean as 30 that do not.
+ReplayedRuns replayRuns(const JointSimulator& joint, const std::vector<EffectSetting>& causes,
+                        const JointNoise& noise, int runs, const std::vector<Split>& splits);
+/// What they are beside the measurement; starts differ by `start_sd` [s].
+JointReplay compareReplay(const JointSimulator& joint, const ReplayedRuns& runs, double start_sd);
+/// Both.
 JointReplay replayJoint(const JointSimulator& joint, const std::vector<EffectSetting>& causes,
                         const JointNoise& noise, int runs, const std::vector<Split>& splits);
 
@@ -34,11 +47,15 @@ struct ReplaySums {
   JointReplay finish(const std::string& joint) const;
 };
 
-/// Mean and squared deviations of some runs of one signal.
+/// Mean and squared deviations of some runs of one signal; unbiased, 0 with a single run.
 struct RunSpread {
   Eigen::VectorXd mean;
-  Eigen::VectorXd variance;  // of one run, unbiased; 0 with a single run
+  Eigen::VectorXd variance;  // of one run
+  Eigen::VectorXd of_mean;   // of the mean
 };
+/// Of runs that know nothing of each other.
 RunSpread spreadOf(const std::vector<Eigen::MatrixXd>& runs, Eigen::Index signal);
+/// Of ReplayedRuns' of a motion.
+RunSpread spreadOfPairs(const std::vector<Eigen::MatrixXd>& runs, Eigen::Index signal);
 
 }  // namespace nao::validation
