@@ -64,16 +64,21 @@ VectorXd spreadOut(const std::vector<double>& rows, int per_row) {
   return values;
 }
 
-sim::JointLoad calcJointLoad(const RobotModel& model, const std::vector<EffectSetting>& effects,
-                             const std::vector<JointCommand>& orders,
-                             const MeasuredMotion& measured, Joint joint,
-                             const LoadOptions& options, const sim::EffectCatalogue& catalogue) {
+LimbMotion calcLimbMotion(const RobotModel& model, const std::vector<EffectSetting>& effects,
+                          const std::vector<JointCommand>& orders, const MeasuredMotion& measured,
+                          const LoadOptions& options, const sim::EffectCatalogue& catalogue) {
   sim::HingeMotion motion = sim::runHinges(
       model, effects, orders,
       {options.settle, options.step, options.per_row, options.seed, 0, options.inertia_every},
       catalogue);
   MatrixXd acceleration = accelerationsOf(motion);
   correct(model, measured, reportDelays(model, effects, catalogue), options, motion, acceleration);
+  return {motion.dt, std::move(motion.q), std::move(motion.u), std::move(acceleration)};
+}
+
+sim::JointLoad loadAlong(const LimbMotion& motion, const RobotModel& model,
+                         const std::vector<EffectSetting>& effects, Joint joint,
+                         const LoadOptions& options, const sim::EffectCatalogue& catalogue) {
   const sim::BodyPlan plan = planOf(model, effects, catalogue);
   InverseDynamics dynamics(plan);
   const int own = model.actuators[index(joint)].coordinates.at(0);
@@ -81,13 +86,13 @@ sim::JointLoad calcJointLoad(const RobotModel& model, const std::vector<EffectSe
   VectorXd inertia(values), torque(values);
   std::vector<double> slope;
   for (Index i = 0; i < values; ++i) {
-    const VectorXd q = motion.q.row(i), u = motion.u.row(i), a = acceleration.row(i);
+    const VectorXd q = motion.q.row(i), u = motion.u.row(i), a = motion.acceleration.row(i);
     dynamics.move(q, u);
     inertia[i] = dynamics.inertia(joint);
     torque[i] = dynamics.share(joint, dynamics.torque(a)) - inertia[i] * a[own];
     if (i % options.per_row == 0) slope.push_back(dynamics.slope(joint, q, u));
   }
-  moveYieldToInertia(motion.dt, acceleration.col(own), torque, inertia);
+  moveYieldToInertia(motion.dt, motion.acceleration.col(own), torque, inertia);
   sim::JointLoad load;
   load.per_row = options.per_row;
   load.inertia = listOf(inertia);
@@ -99,6 +104,14 @@ sim::JointLoad calcJointLoad(const RobotModel& model, const std::vector<EffectSe
     load.others[motor.name] = listOf(motion.q.col(motor.coordinates.at(0)));
   }
   return load;
+}
+
+sim::JointLoad calcJointLoad(const RobotModel& model, const std::vector<EffectSetting>& effects,
+                             const std::vector<JointCommand>& orders,
+                             const MeasuredMotion& measured, Joint joint,
+                             const LoadOptions& options, const sim::EffectCatalogue& catalogue) {
+  return loadAlong(calcLimbMotion(model, effects, orders, measured, options, catalogue), model,
+                   effects, joint, options, catalogue);
 }
 
 }  // namespace nao::validation

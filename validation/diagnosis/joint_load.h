@@ -39,11 +39,30 @@ struct LoadOptions {
 /// `values`, one per row, on `per_row` values per row, linear between.
 Eigen::VectorXd spreadOut(const std::vector<double>& rows, int per_row);
 
-/// The load of `joint`: the model with these effects (its own too only if they are listed) plays
-/// `orders` (one per row, a row is a cycle of the robot). What the joints were
-/// measured to do otherwise, smoothed to the bandwidth, is added, and inverse dynamics of the sum
-/// are the load. Whatever moves the joint otherwise shakes its neighbours otherwise, so that every
-/// list of effects has a load of its own. @throws InputError for a robot whose base is free.
+/// How all links of a limb moved: a row per value, a column per coordinate.
+struct LimbMotion {
+  double dt = 0;  // [s]
+  Eigen::MatrixXd q, u, acceleration;
+};
+
+/// The model with these effects (its own too only if they are listed) plays `orders` (one per row,
+/// a row is a cycle of the robot). What the joints were measured to do otherwise, smoothed to the
+/// bandwidth, is added.
+LimbMotion calcLimbMotion(const RobotModel& model, const std::vector<EffectSetting>& effects,
+                          const std::vector<JointCommand>& orders, const MeasuredMotion& measured,
+                          const LoadOptions& options,
+                          const sim::EffectCatalogue& catalogue = sim::standardEffects());
+
+/// What `joint` carries along that motion if links weigh what the model with these effects has:
+/// inverse dynamics.
+sim::JointLoad loadAlong(const LimbMotion& motion, const RobotModel& model,
+                         const std::vector<EffectSetting>& effects, Joint joint,
+                         const LoadOptions& options,
+                         const sim::EffectCatalogue& catalogue = sim::standardEffects());
+
+/// The load of `joint` along its motion with the same effects. Whatever moves the joint otherwise
+/// shakes its neighbours otherwise, so that every list of effects has a load of its own.
+/// @throws InputError for a robot whose base is free.
 sim::JointLoad calcJointLoad(const RobotModel& model, const std::vector<EffectSetting>& effects,
                              const std::vector<JointCommand>& orders,
                              const MeasuredMotion& measured, Joint joint,

@@ -1,5 +1,7 @@
 #include "validation/diagnosis/limb_loads.h"
 
+#include <cmath>
+
 #include "sim/effects/coupled_stop.h"
 #include "validation/diagnosis/rig_simulator.h"
 
@@ -8,6 +10,8 @@ namespace {
 
 // Lists of effects, times motions, that are remembered: a load of 6 s takes 200 kB.
 constexpr std::size_t kRemembered = 48;
+constexpr std::size_t kMotions = 16;  // of a leg they take 500 kB
+constexpr double kRoughly = 4;        // steps per octave, of how much neighbours are disturbed
 
 std::vector<Joint> limitersOf(const RobotModel& limb, Joint joint) {
   std::vector<Joint> others;
@@ -17,6 +21,15 @@ std::vector<Joint> limitersOf(const RobotModel& limb, Joint joint) {
   const auto coupled = sim::findCoupledTo(limb, joint);
   if (others.empty() && coupled) others.push_back(*coupled);
   return others;
+}
+
+// Noise is fitted by trials of many sizes, each of which would have all loads calculated anew. That
+// neighbours are shaken by up to 9 % more or less is nothing beside the joint's own noise.
+JointNoise roughly(JointNoise noise) {
+  if (noise.torque_sd <= 0) return noise;
+  noise.torque_sd = std::exp2(std::round(kRoughly * std::log2(noise.torque_sd)) / kRoughly);
+  noise.torque_time = 0;  // the joint's own: neighbours have what their robot's file says
+  return noise;
 }
 
 }  // namespace
@@ -30,7 +43,8 @@ LimbLoads::LimbLoads(std::shared_ptr<const Limb> limb, Duration step, int per_ro
                1,
                limitersOf(limb_->model(), limb_->joint()),
                inertiaEvery(step)},
-      memo_(kRemembered) {}
+      loads_(kRemembered),
+      motions_(kMotions) {}
 
 std::vector<std::string> LimbLoads::others() const {
   std::vector<std::string> names;
@@ -42,23 +56,34 @@ std::vector<std::string> LimbLoads::others() const {
 
 std::shared_ptr<const sim::JointLoad> LimbLoads::get(std::size_t motion,
                                                      const std::vector<EffectSetting>& effects,
+                                                     const std::vector<EffectSetting>& moving,
                                                      std::uint64_t draw,
                                                      const JointNoise& noise) const {
-  std::vector<EffectSetting> all;
+  std::vector<EffectSetting> shaken;
   if (draw > 0) {
-    all = limb_->disturbances(noise);
-    for (EffectSetting& one : all) {  // the joint's own noise is the rig's
+    shaken = limb_->disturbances(roughly(noise));
+    for (EffectSetting& one : shaken) {  // the joint's own noise is the rig's
       if (one.joints.front() == limb_->joint()) one.parameters["sd"] = 0;
     }
   }
-  const std::vector<EffectSetting> own = limb_->effects(effects);
-  all.insert(all.end(), own.begin(), own.end());
-  return memo_.get(std::to_string(draw) + '/' + keyOf(motion, all), [&] {
+  std::vector<EffectSetting> all = limb_->effects(effects);
+  const std::vector<EffectSetting> moved = limb_->effects(moving);
+  shaken.insert(shaken.end(), moved.begin(), moved.end());
+  const std::string key = std::to_string(draw) + '/' + keyOf(motion, shaken) + '/' + keyOf(all);
+  return loads_.get(key, [&] {
+    return loadAlong(*motionOf(motion, shaken, draw), limb_->modelIn(motion), all, limb_->joint(),
+                     options_, limb_->set().catalogue());
+  });
+}
+
+std::shared_ptr<const LimbMotion> LimbLoads::motionOf(std::size_t motion,
+                                                      const std::vector<EffectSetting>& effects,
+                                                      std::uint64_t draw) const {
+  return motions_.get(std::to_string(draw) + '/' + keyOf(motion, effects), [&] {
     LoadOptions options = options_;
     options.seed = 1 + draw;
-    return calcJointLoad(limb_->modelIn(motion), all, limb_->orders(motion),
-                         limb_->measured(motion), limb_->joint(), options,
-                         limb_->set().catalogue());
+    return calcLimbMotion(limb_->modelIn(motion), effects, limb_->orders(motion),
+                          limb_->measured(motion), options, limb_->set().catalogue());
   });
 }
 

@@ -54,6 +54,26 @@ std::vector<EffectSetting> loadingOf(const std::vector<EffectSetting>& causes,
   return kept;
 }
 
+// [rad] By which a joint may sag under a weight and still move as it does without: over it what
+// gravity does to its torque bends by half a percent, beside the slope that is part of a load.
+constexpr double kSag = 0.1;
+
+double torqueBetween(const sim::JointLoad& a, const sim::JointLoad& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.torque.size(); ++i) {
+    most = std::max(most, std::abs(a.torque[i] - b.torque[i]));
+  }
+  return most;
+}
+
+std::vector<EffectSetting> partingOf(const std::vector<EffectSetting>& causes) {
+  std::vector<EffectSetting> kept;
+  for (const EffectSetting& cause : causes) {
+    if (partsLinkFromMotor(cause.name)) kept.push_back(cause);
+  }
+  return kept;
+}
+
 }  // namespace
 
 RigSimulator::RigSimulator(std::shared_ptr<const RigSet> set, Joint joint)
@@ -134,10 +154,19 @@ std::shared_ptr<const sim::JointLoad> RigSimulator::loadOf(const std::vector<Eff
                                                            std::size_t motion, std::uint64_t stream,
                                                            const JointNoise& noise) const {
   const bool drawn = loads_of_ != Loads::Quiet && noise.torque_sd > 0;
-  const std::vector<EffectSetting> seen =
-      loads_of_ == Loads::OfMassOnly ? loadingOf(causes, set_->catalogue()) : causes;
-  return loads_->get(motion, set_->effectsWith(seen, set_->motions()[motion]),
-                     drawn ? 1 + stream % 2 : 0, noise);
+  const std::uint64_t draw = drawn ? 1 + stream % 2 : 0;
+  const auto with = [&](const std::vector<EffectSetting>& some) {
+    return set_->effectsWith(some, set_->motions()[motion]);
+  };
+  if (loads_of_ != Loads::OfMassOnly) {
+    return loads_->get(motion, with(causes), with(causes), draw, noise);
+  }
+  const std::vector<EffectSetting> seen = loadingOf(causes, set_->catalogue());
+  const auto along = with(partingOf(seen));
+  const auto load = loads_->get(motion, with(seen), along, draw, noise);
+  const auto without = loads_->get(motion, along, along, draw, noise);
+  if (torqueBetween(*load, *without) < kSag * set_->model().actuators[index(joint_)].kp) return load;
+  return loads_->get(motion, with(seen), with(seen), draw, noise);
 }
 
 Eigen::MatrixXd RigSimulator::run(const std::vector<EffectSetting>& causes, std::size_t motion,

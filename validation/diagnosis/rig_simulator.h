@@ -94,7 +94,8 @@ class RigSimulator final : public JointSimulator {
   enum class Loads {
     Quiet,       // of runs without noise
     Drawn,       // two draws: runs of even streams have the one, of odd streams the other
-    OfMassOnly,  // drawn; causes alter it only if they are masses, play and the like themselves
+    OfMassOnly,  // drawn; causes alter it only if they are masses, along the motion without them
+                 // unless they make the joint sag far, or play and the like
   };
   RigSimulator(const RigSimulator& fine, Duration step, Loads of);
   std::shared_ptr<const sim::JointLoad> loadOf(const std::vector<EffectSetting>& causes,

@@ -100,7 +100,8 @@ TEST(JointLevel, OfTwoRobotsBlamesTheFaultyOne) {
 }
 
 // A ball of 3 kg at the centre of mass of an upper arm, 24 times as heavy: by looks at a fifth of
-// the arm's own mass, which hardly show, it was told as a torque and a denser link, in 247 s.
+// the arm's own mass, which hardly show, it was told as a torque and a denser link, in 247 s. Mass
+// is not among the first three causes, before its shape is fitted.
 TEST(JointLevel, AHeavyBallTiedToALightLinkIsMass) {
   const auto model = test::robot("nao_h21_v33");
   const Joint shoulder = *model->findJoint("RShoulderRoll");
@@ -109,7 +110,9 @@ TEST(JointLevel, AHeavyBallTiedToALightLinkIsMass) {
   const Vec3& at = arm.p_BoBcm;
   const EffectSetting ball{
       "payload", {{"mass", 3}, {"x", at.x()}, {"y", at.y()}, {"z", at.z()}}, {shoulder}, ""};
-  const auto found = diagnose(record("7", {ball}, 5, {"RShoulderRoll"}), quick()).found;
+  JointLevelOptions options = quick();
+  options.effort.survivors = 8;
+  const auto found = diagnose(record("7", {ball}, 5, {"RShoulderRoll"}), options).found;
   ASSERT_EQ(found.joints[0].named().size(), 1u);
   const Finding& mass = *found.joints[0].named()[0];
   EXPECT_EQ(mass.cause, "link_mass");
