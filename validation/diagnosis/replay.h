@@ -21,8 +21,8 @@ struct JointReplay {
   double noise_free_rmse = 0;  // [rad] against one run without noise
 };
 
-/// Runs of a joint in the motions of some splits, by JointSimulator::measured(): a motion of another
-/// split has none.
+/// Runs of a joint in the motions of some splits, by JointSimulator::measured(): a motion of
+/// another split has none.
 struct ReplayedRuns {
   std::vector<std::vector<Eigen::MatrixXd>> noisy;  // in mirrored pairs (run_noise.h)
   std::vector<Eigen::VectorXd> noise_free;          // [rad] the angle

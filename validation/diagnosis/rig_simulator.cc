@@ -165,7 +165,8 @@ std::shared_ptr<const sim::JointLoad> RigSimulator::loadOf(const std::vector<Eff
   const auto along = with(partingOf(seen));
   const auto load = loads_->get(motion, with(seen), along, draw, noise);
   const auto without = loads_->get(motion, along, along, draw, noise);
-  if (torqueBetween(*load, *without) < kSag * set_->model().actuators[index(joint_)].kp) return load;
+  if (torqueBetween(*load, *without) < kSag * set_->model().actuators[index(joint_)].kp)
+    return load;
   return loads_->get(motion, with(seen), with(seen), draw, noise);
 }
 
