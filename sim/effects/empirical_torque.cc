@@ -2,7 +2,8 @@
 //   T = constant + v v + v_square v|v| + q q + sin_q sin q + cos_q cos q + t t
 //     + (sign + q_sign q + sign_sin sin(ripple q) + sign_cos cos(ripple q)
 //        + spot exp(-((q - spot_angle) / spot_width)^2)
-//        + band exp(-((|v| - band_speed) / band_width)^2)) sgn v
+//        + band exp(-((|v| - band_speed) / band_width)^2)
+//        + sign_hum_sin sin(2 pi hum t) + sign_hum_cos cos(2 pi hum t)) sgn v
 //     + ripple_sin sin(ripple q) + ripple_cos cos(ripple q)
 //     + hum_sin sin(2 pi hum t) + hum_cos cos(2 pi hum t)
 //     + (e + t_e t) e + abs_e |e|
@@ -31,7 +32,7 @@ class EmpiricalTorque final : public Effect {
       const double t = toSeconds(moment.time), e = moment.command[j] - q;
       terms.disturbance[j] += push(q, t) + (c("e") + c("t_e") * t) * e + c("abs_e") * std::abs(e);
       addDamping(c("v") + c("v_square") * std::abs(v), v, terms, j);
-      addSign(dry(q, v), v, terms, j);
+      addSign(dry(q, v) + dryNow(t), v, terms, j);
     }
   }
 
@@ -52,6 +53,11 @@ class EmpiricalTorque final : public Effect {
     return c("sign") + c("q_sign") * q + c("sign_sin") * std::sin(c("ripple") * q) +
            c("sign_cos") * std::cos(c("ripple") * q) + c("spot") * std::exp(-spot * spot) +
            c("band") * std::exp(-band * band);
+  }
+
+  double dryNow(double t) const {
+    return c("sign_hum_sin") * std::sin(2 * M_PI * c("hum") * t) +
+           c("sign_hum_cos") * std::cos(2 * M_PI * c("hum") * t);
   }
 
   static void addDamping(double rise, double v, DriveTerms& terms, std::size_t j) {
@@ -88,6 +94,8 @@ EffectType empiricalTorque() {
            {"q_sign", "N m/rad", 0, 0, -50, 50, 0.01},
            {"sign_sin", "N m", 0, 0, -50, 50, 0.01},
            {"sign_cos", "N m", 0, 0, -50, 50, 0.01},
+           {"sign_hum_sin", "N m", 0, 0, -50, 50, 0.01},
+           {"sign_hum_cos", "N m", 0, 0, -50, 50, 0.01},
            {"spot", "N m", 0, 0, -50, 50, 0.01},
            {"spot_angle", "rad", 0, 0, -4, 4, 0.02},
            {"spot_width", "rad", 0.12, 0.12, 0.02, 1, 0.02},

@@ -202,7 +202,7 @@ std::vector<Hideout> strangerHideouts() {
       stranger("hidden_torque_step", 0.2, 3, {"t", "1"}),
       stranger("hidden_hardening_spring", 1, 30, {"q", "sin and cos of"}),
       stranger("hidden_speed_band", 0.3, 5, {"sgn v", "v", "v|v|", "sgn v near |v| ="}),
-      stranger("hidden_pulsing_friction", 0.3, 5, {"sgn v"}),
+      stranger("hidden_pulsing_friction", 0.3, 5, {"sgn v", "sgn v with sin and cos of 0.5 Hz"}),
       stranger("hidden_one_sided_gain", 0.4, 5, {"e", "|e|"}),
       stranger("hidden_drifting_gain", 0.15, 5, {"t e"}),
       stranger("hidden_command_hysteresis", 0.03, 0.4, {"sgn v"}),

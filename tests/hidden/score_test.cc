@@ -127,6 +127,16 @@ TEST(Score, TheRightFeatureMayComeSecondNotThird) {
   EXPECT_FALSE(score(stranger, saying("unknown")).signature_right);
 }
 
+TEST(Score, AHumIsNoFrictionThatComesAndGoes) {
+  Truth stranger = hiding("");
+  stranger.hidden[0].features = {"1.7 Hz"};
+  GivenReport report = saying("unknown");
+  report.joints.front().signature = "sin and cos of 1.7 Hz (60 %)";
+  EXPECT_TRUE(score(stranger, report).signature_right);
+  report.joints.front().signature = "sgn v with sin and cos of 1.7 Hz (60 %)";
+  EXPECT_FALSE(score(stranger, report).signature_right);
+}
+
 TEST(Score, ErrorsAreRelativeToTheHiddenDeviation) {
   GivenCause given = named("kp_error");
   given.has_number = true;

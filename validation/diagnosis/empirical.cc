@@ -43,9 +43,13 @@ std::vector<FreeNumber> numbersFor(const std::string& feature, const sim::Effect
         ->neutral;
   };
   double at = 0;
-  if (std::sscanf(feature.c_str(), "sin and cos of %lf Hz", &at) == 1 &&
-      feature.find("Hz") != std::string::npos) {
+  const bool in_time = feature.find("Hz") != std::string::npos;
+  if (in_time && std::sscanf(feature.c_str(), "sin and cos of %lf Hz", &at) == 1) {
     return {number("hum_sin", 0), number("hum_cos", 0),
+            number("hum", at - neutralOf("hum"), kAroundHz)};
+  }
+  if (in_time && std::sscanf(feature.c_str(), "sgn v with sin and cos of %lf Hz", &at) == 1) {
+    return {number("sign", 0), number("sign_hum_sin", 0), number("sign_hum_cos", 0),
             number("hum", at - neutralOf("hum"), kAroundHz)};
   }
   if (std::sscanf(feature.c_str(), "sgn v with sin and cos of %lf q", &at) == 1) {

@@ -81,9 +81,8 @@ Eigen::MatrixXd RunPool::deviations(std::size_t span) const {
   const Eigen::MatrixXd& all = runs[span];
   if (mirrored && all.cols() % 4 == 0) {
     const double scale = 1 / std::sqrt(2 * (2 - pairing));
-    return joined(all, [scale](const auto& a, const auto& b) -> Eigen::VectorXd {
-      return scale * (a - b);
-    });
+    return joined(
+        all, [scale](const auto& a, const auto& b) -> Eigen::VectorXd { return scale * (a - b); });
   }
   const auto n = static_cast<double>(all.cols());
   return (all.colwise() - all.rowwise().mean().eval()) * std::sqrt(n / std::max(1.0, n - 1));

@@ -10,6 +10,7 @@ constexpr int kFirstRipple = 3, kLastRipple = 40;  // periods in 2 pi of the joi
 constexpr int kLastPatch = 16;                     // of a friction's
 constexpr int kLastEccentric = 12;                 // of an encoder's error
 constexpr int kFirstHum = 5, kLastHum = 100;       // [0.1 Hz]
+constexpr int kFirstPulse = 2, kLastPulse = 30;    // [0.1 Hz] of a friction that comes and goes
 constexpr double kSlow = 0.05;                     // [rad/s] below which the sign of v fades
 constexpr int kLastSpot = 22;                      // [0.1 rad] either way
 constexpr double kSpot = 0.12;                     // [rad] its width
@@ -58,6 +59,10 @@ TorqueFeatures::TorqueFeatures() {
     std::snprintf(text, sizeof text, "sin and cos of %.1f Hz", 0.1 * f);
     add(text, 2);
   }
+  for (int f = kFirstPulse; f <= kLastPulse; ++f) {
+    std::snprintf(text, sizeof text, "sgn v with sin and cos of %.1f Hz", 0.1 * f);
+    add(text, 3);
+  }
   const Eigen::Index torques = columns_;
   for (int n = 1; n <= kLastEccentric; ++n) add("misreading by " + harmonic(n), 2);
   misreadings_ = columns_ - torques;
@@ -101,11 +106,12 @@ Eigen::MatrixXd TorqueFeatures::along(const Eigen::MatrixXd& motion, const Eigen
     };
     wave(q);
     for (int n = kFirstRipple; n <= kLastRipple; ++n) wave(n * q);
-    for (int n = 1; n <= kLastPatch; ++n) {
-      for (const double part : {1.0, std::sin(n * q), std::cos(n * q)}) {
+    const auto dry = [&](double angle) {
+      for (const double part : {1.0, std::sin(angle), std::cos(angle)}) {
         all(i, at++) = part * sign(moment.v);
       }
-    }
+    };
+    for (int n = 1; n <= kLastPatch; ++n) dry(n * q);
     for (int n = -kLastSpot; n <= kLastSpot; ++n) {
       all(i, at++) = bell((q - 0.1 * n) / kSpot) * sign(moment.v);
     }
@@ -114,6 +120,7 @@ Eigen::MatrixXd TorqueFeatures::along(const Eigen::MatrixXd& motion, const Eigen
       all(i, at++) = bell(off) * sign(moment.v);
     }
     for (int f = kFirstHum; f <= kLastHum; ++f) wave(0.2 * M_PI * f * t);
+    for (int f = kFirstPulse; f <= kLastPulse; ++f) dry(0.2 * M_PI * f * t);
   }
   return all;
 }

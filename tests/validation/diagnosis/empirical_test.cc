@@ -74,6 +74,17 @@ TEST(Empirical, SoIsFrictionNearAnAngleAndNearASpeed) {
             0.4 * testError(band, {}));
 }
 
+// A brake that presses and lets go.
+TEST(Empirical, SoIsFrictionThatComesAndGoes) {
+  const LogSet set =
+      recorded({"empirical_torque",
+                {{"constant", 0}, {"sign", -0.05}, {"sign_hum_sin", 0.05}, {"hum", 0.5}},
+                {},
+                ""});
+  EXPECT_LT(testError(set, {fitTo(set, {"sgn v with sin and cos of 0.5 Hz"}).setting}),
+            0.4 * testError(set, {}));
+}
+
 TEST(Empirical, ReadsTheSignaturesOfAReport) {
   const TemporaryFolder folder;
   const std::string file = folder.write("report.json", R"json({"joints": [

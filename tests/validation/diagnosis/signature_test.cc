@@ -66,6 +66,14 @@ TEST(Signature, FindsASpeedAtWhichAGearBrakes) {
   EXPECT_EQ(firstFeature(laws), "sgn v near |v| = 0.81");  // of the library's speeds
 }
 
+// By its mean friction alone a brake at a hip went with nothing, as sets in which nothing is wrong
+// go with friction by as much.
+TEST(Signature, FindsABrakeThatComesAndGoes) {
+  ToyLaws laws;
+  laws.pulse = 0.4;
+  EXPECT_EQ(firstFeature(laws), "sgn v with sin and cos of 0.5 Hz");
+}
+
 TEST(Signature, FindsNothingWhereNothingIs) { EXPECT_EQ(firstFeature({}), ""); }
 
 }  // namespace

@@ -31,6 +31,7 @@ struct ToyLaws {
   // No cause of the catalogue below:
   double cogging = 0, cogs = 18, drag = 0, spring = 0, hum = 0, rise = 0, eccentric = 0;
   double spot = 0, band = 0;  // friction near an angle of 0.3 and near a speed of 0.8
+  double pulse = 0;           // friction, half a second in every two
   double step = 0.002;        // [s]
 
   void set(const std::string& effect, const std::map<std::string, double>& p);
@@ -202,7 +203,8 @@ class ToyRun {
 
   double strangelyDry() const {
     const double place = (q_ - 0.3) / 0.12, speed = (std::abs(u_) - 0.8) / 0.25;
-    return laws_.spot * std::exp(-place * place) + laws_.band * std::exp(-speed * speed);
+    return laws_.spot * std::exp(-place * place) + laws_.band * std::exp(-speed * speed) +
+           (std::fmod(t_, 2) < 0.5 ? laws_.pulse : 0);
   }
 
   double strange() const {
