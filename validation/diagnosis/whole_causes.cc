@@ -26,10 +26,6 @@ const std::vector<double> kZeros{0.01, 0.05, -0.05};  // [rad]
 // Of the torque of a joint or a limb: motors are strong, a leg may walk on with a tenth of it.
 const std::vector<double> kWeak{-0.3, -0.6, -0.85};
 
-// Of a joint's gain: while its gear has play, a leg that stands hardly feels a small change of it,
-// and what the loss of two thirds does is no multiple of that.
-const std::vector<double> kGains{0.2, -0.3, -0.6};
-
 using Ids = std::vector<const char*>;
 
 // What one number for all joints can be wrong about.
@@ -118,7 +114,6 @@ class Builder {
     const std::size_t most = joints.empty() ? kStartsEverywhere : kStartsSomewhere;
     if (starts.size() > most) starts.resize(most);
     if (cause.id == "torque_limit" && !joints.empty()) starts = kWeak;
-    if (cause.id == "kp_error" && joints.size() == 1) starts = kGains;
   }
   // Of each joint, never looked for.
   void addSpread(const Ids& ids, const std::vector<Joint>& joints) {
