@@ -10,8 +10,7 @@ namespace {
 
 // Lists of effects, times motions, that are remembered: a load of 6 s takes 200 kB.
 constexpr std::size_t kRemembered = 48;
-constexpr std::size_t kMotions = 16;  // of a leg they take 500 kB
-constexpr double kRoughly = 4;        // steps per octave, of how much neighbours are disturbed
+constexpr double kRoughly = 4;  // steps per octave, of how much neighbours are disturbed
 
 std::vector<Joint> limitersOf(const RobotModel& limb, Joint joint) {
   std::vector<Joint> others;
@@ -34,7 +33,8 @@ JointNoise roughly(JointNoise noise) {
 
 }  // namespace
 
-LimbLoads::LimbLoads(std::shared_ptr<const Limb> limb, Duration step, int per_row)
+LimbLoads::LimbLoads(std::shared_ptr<const Limb> limb, Duration step, int per_row,
+                     std::size_t motions)
     : limb_(std::move(limb)),
       options_{limb_->set().options().settle,
                step,
@@ -44,7 +44,7 @@ LimbLoads::LimbLoads(std::shared_ptr<const Limb> limb, Duration step, int per_ro
                limitersOf(limb_->model(), limb_->joint()),
                inertiaEvery(step)},
       loads_(kRemembered),
-      motions_(kMotions) {}
+      motions_(motions) {}
 
 std::vector<std::string> LimbLoads::others() const {
   std::vector<std::string> names;

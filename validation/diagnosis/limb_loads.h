@@ -13,8 +13,9 @@ namespace nao::validation {
 /// joint's limb. Any thread.
 class LimbLoads {
  public:
-  /// `step` of the runs; loads have `per_row` values per row.
-  LimbLoads(std::shared_ptr<const Limb> limb, Duration step, int per_row);
+  /// `step` of the runs; loads have `per_row` values per row. `motions` are remembered for further
+  /// loads along them.
+  LimbLoads(std::shared_ptr<const Limb> limb, Duration step, int per_row, std::size_t motions = 0);
 
   /// `effects`: all that act on the robot, the model's own included; `moving`: those of them by
   /// which the limb moves, where the others do no more than weigh. In quick motions neighbours
