@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 #include <utility>
 
 #include "validation/diagnosis/joint_data.h"
@@ -13,6 +14,7 @@ constexpr double kTurns =
     0.25;  // by which neighbours of the row part over a motion; a half shows nothing
 constexpr double kLargest = 0.12;  // [s] further than any bus or script holds: free choice
 constexpr std::size_t kBest = 4;   // sizes that all motions are asked about
+constexpr int kInStep = 4;         // ticks that a few commands take: more differ from any others
 
 double lengthOf(const MotionSpan& span) { return static_cast<double>(span.rows) * span.dt; }
 
@@ -67,6 +69,21 @@ class BeatRow {
   Eigen::VectorXd before_, residual_;
 };
 
+// Rates [1 / its unit] to be tried: a row, and clocks that meet every few commands, each tick the
+// very next or the last one: to either side of them all is otherwise.
+std::vector<double> ratesOf(const FreeNumber& size, const MotionSpan& span) {
+  std::vector<double> rates;
+  const double most = 1 / size.smallest, step = kTurns / lengthOf(span);
+  for (double rate = 1 / kLargest; rate < most; rate += step) rates.push_back(rate);
+  for (int ticks = 1; ticks <= kInStep; ++ticks) {
+    for (int commands = 1; commands * span.dt <= ticks * kLargest; ++commands) {
+      const double rate = ticks / (commands * span.dt);
+      if (rate < most && std::gcd(ticks, commands) == 1) rates.push_back(rate);
+    }
+  }
+  return rates;
+}
+
 }  // namespace
 
 double beatWidth(const JointData& data, double x) {
@@ -79,9 +96,9 @@ std::vector<double> beatingSizes(Ensemble& ensemble, const Stage& stage,
                                  const std::vector<Cause>& causes, std::size_t cause) {
   const FreeNumber& size = causes[cause].free[0];
   const BeatRow row(ensemble, stage, causes, cause, size.starts.front());
-  const double step = kTurns / lengthOf(row.span());  // [1 / its unit]
-  std::vector<std::pair<double, double>> seen;        // gain, size
-  for (double rate = 1 / kLargest; rate < 1 / size.smallest && !ensemble.spent(); rate += step) {
+  std::vector<std::pair<double, double>> seen;  // gain, size
+  for (const double rate : ratesOf(size, row.span())) {
+    if (ensemble.spent()) break;
     seen.emplace_back(row.gain(1 / rate), 1 / rate);
   }
   const std::size_t kept = std::min(kBest, seen.size());

@@ -15,25 +15,40 @@ Effort few() {
   return effort;
 }
 
-// A hold beside commands of nearly its own rate: nothing but its own beat, met to a part of a turn
-// over 6 s, shows it.
-TEST(BeatSearch, MeetsAHoldsBeat) {
-  constexpr double kHold = 0.0094;
+// The sizes proposed of a toy whose commands, of every 10 ms, are held for so long.
+struct Proposed {
+  std::vector<double> sizes;
+  double width = 0;  // as far as a fit walks from one
+};
+
+Proposed proposedFor(double hold) {
   test::ToyLaws laws;
-  laws.hold = kHold;
+  laws.hold = hold;
   laws.sent = 0.01;
   const test::ToyJoint toy(laws, 1, test::kToyNoise, 6, 3);
   std::vector<Cause> causes;
   for (Cause cause : test::toyCauses()) {
     if (cause.id == "command_hold") causes.push_back(boundedAt(cause, toy, sim::standardEffects()));
   }
-  ASSERT_EQ(causes.size(), 1u);
   const JointData data(toy, test::kToyNoise);
   Ensemble ensemble(toy, data, test::kToyNoise, 1000000);
   const Stage stage(ensemble, data, causes, {}, Eigen::MatrixXd(data.size(), 0), few());
-  const std::vector<double> sizes = beatingSizes(ensemble, stage, causes, 0);
-  ASSERT_FALSE(sizes.empty());
-  EXPECT_NEAR(sizes.front(), kHold, 2 * beatWidth(data, kHold));  // as far as a fit walks from it
+  return {beatingSizes(ensemble, stage, causes, 0), beatWidth(data, hold)};
+}
+
+// A hold beside commands of nearly its own rate: nothing but its own beat, met to a part of a turn
+// over 6 s, shows it.
+TEST(BeatSearch, MeetsAHoldsBeat) {
+  const Proposed proposed = proposedFor(0.0094);
+  ASSERT_FALSE(proposed.sizes.empty());
+  EXPECT_NEAR(proposed.sizes.front(), 0.0094, 2 * proposed.width);
+}
+
+// Seven commands to four of its ticks: beside that the ticks that meet a command take another.
+TEST(BeatSearch, MeetsAHoldInStepWithTheCommands) {
+  const Proposed proposed = proposedFor(0.0175);
+  ASSERT_FALSE(proposed.sizes.empty());
+  EXPECT_NEAR(proposed.sizes.front(), 0.0175, 1e-9);
 }
 
 }  // namespace
