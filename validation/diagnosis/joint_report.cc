@@ -12,8 +12,9 @@
 namespace nao::validation {
 namespace {
 
-constexpr double kLow = 0.05, kHigh = 0.95;  // of a 90 % interval
-constexpr double kNormal90 = 1.645;          // [SD] its half, of a normal distribution
+constexpr double kHigh = 0.95;       // of a 90 % interval
+constexpr double kHighAlone = 0.9;   // of the chances that a cause which is alone is of interest
+constexpr double kNormal90 = 1.645;  // [SD] half an interval, of a normal distribution
 // How well a fitted noise is known: null sets draw theirs from what the fit says. Hidden nulls left
 // 0.6 to 1.09 of the noise floor (60 joints), laws without a name 5 and more.
 constexpr double kNoiseKnown = 1.1;
@@ -112,14 +113,20 @@ Verdict verdictOf(const JointVerdict& joint, bool remains) {
   return ambiguous ? Verdict::Ambiguous : Verdict::Named;
 }
 
-bool isSmall(const FoundNumber& size, const Cause& cause) {
-  return mayBeSmall(size.low, size.high, cause.free[0].smallest);
+void setInterval(FoundNumber& number, const Eigen::VectorXd& moves, double high = kHigh) {
+  const std::vector<double> all(moves.data(), moves.data() + moves.size());
+  number.low = number.deviation - quantile(all, high);
+  number.high = number.deviation - quantile(all, 1 - high);
 }
 
-void setInterval(FoundNumber& number, const Eigen::VectorXd& moves) {
-  const std::vector<double> all(moves.data(), moves.data() + moves.size());
-  number.low = number.deviation - quantile(all, kHigh);
-  number.high = number.deviation - quantile(all, kLow);
+// Whether a cause may be of no interest, as its size may be what it is less `moves`. Beside others
+// it may be what their laws leave over: it has to be surer. How steep a coupled stop is and where
+// it begins undo each other: its interval says nothing of what is there.
+bool isSmall(FoundNumber size, const Eigen::VectorXd& moves, const Cause& cause, bool alone) {
+  const double smallest = cause.free[0].smallest;
+  if (cause.coupled) return std::abs(size.deviation) < smallest;
+  setInterval(size, moves, alone ? kHighAlone : kHigh);
+  return mayBeSmall(size.low, size.high, smallest);
 }
 
 }  // namespace
@@ -142,8 +149,9 @@ void JointSearch::describe(JointVerdict& verdict) {
   Eigen::Index column = 0;
   for (std::size_t i = 0; i < accepted_.size(); ++i) {
     Finding finding = findingOf(i);
+    finding.small = isSmall(finding.numbers[0], moves.col(column), causes_[accepted_[i].cause],
+                            accepted_.size() == 1);
     for (FoundNumber& number : finding.numbers) setInterval(number, moves.col(column++));
-    finding.small = isSmall(finding.numbers[0], causes_[accepted_[i].cause]);
     finding.profile = profileOf(i, finding.numbers[0]);
     verdict.findings.push_back(std::move(finding));
   }
@@ -154,11 +162,10 @@ void JointSearch::describe(JointVerdict& verdict) {
 bool JointSearch::newestIsSmall() const {
   const Chosen& newest = fit_.model.back();
   const Cause& cause = causes_[newest.cause];
-  FoundNumber size = foundNumbers(cause, newest.x)[0];
   const auto numbers = static_cast<Eigen::Index>(newest.x.size());
   const Eigen::MatrixXd moves = reestimated(*stage_, fit_);
-  setInterval(size, moves.col(moves.cols() - numbers));
-  return isSmall(size, cause);
+  return isSmall(foundNumbers(cause, newest.x)[0], moves.col(moves.cols() - numbers), cause,
+                 accepted_.size() == 1);
 }
 
 // All but intervals, what they say of its size, and profile.

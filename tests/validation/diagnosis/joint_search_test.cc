@@ -32,18 +32,38 @@ TEST(JointSearch, NamesNothingWhereNothingIsWrong) {
   EXPECT_GT(verdict.misfit_before, 0.7);
 }
 
-// An engine of another kind was told as a battery 3 % too full, where 2 % are of interest and the
-// interval reached down to 1.8 %.
-TEST(JointSearch, NamesNothingThatMayBeTooSmallToMatter) {
+// A weak servo where gains are of interest from so far on: 0 as its number says, 1 as the end of its
+// interval says.
+JointVerdict diagnoseWithInterest(double way, bool coupled = false) {
   const FoundNumber weak = diagnose(softServo(), test::toyCauses()).findings.at(0).numbers[0];
   std::vector<Cause> causes = test::toyCauses();
   for (Cause& cause : causes) {
-    if (cause.id == "kp_error") cause.free[0].smallest = -(0.7 * weak.deviation + 0.3 * weak.high);
+    if (cause.id != "kp_error") continue;
+    cause.free[0].smallest = -((1 - way) * weak.deviation + way * weak.high);
+    cause.coupled = coupled;
   }
-  const JointVerdict verdict = diagnose(softServo(), causes);
+  return diagnose(softServo(), causes);
+}
+
+// An engine of another kind was told as a battery 3 % too full, where 2 % are of interest and the
+// interval reached down to 1.8 %.
+TEST(JointSearch, NamesNothingThatMayBeTooSmallToMatter) {
+  const JointVerdict verdict = diagnoseWithInterest(0.3);
   ASSERT_EQ(verdict.findings.size(), 1u);
   EXPECT_TRUE(verdict.findings[0].small);
   EXPECT_EQ(verdict.verdict, Verdict::NoDiscrepancy);
+}
+
+// A drag of 0.0075 N m s/rad at an ankle, where 0.005 are of interest and the interval reached down
+// to 0.0046.
+TEST(JointSearch, NamesWhatIsOfInterestByNineChancesOfTen) {
+  EXPECT_EQ(diagnoseWithInterest(0.88).verdict, Verdict::Named);
+}
+
+// Its steepness and where it begins undo each other: an ankle's of -0.14 had an interval from -0.30
+// to 0.04.
+TEST(JointSearch, TheSizeOfACoupledStopIsWhatItsNumberSays) {
+  EXPECT_EQ(diagnoseWithInterest(0.3, true).verdict, Verdict::Named);
 }
 
 TEST(JointSearch, NamesAWeakServoAndHowWeakItIs) {
