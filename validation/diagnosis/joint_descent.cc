@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "validation/diagnosis/beat_search.h"
 #include "validation/diagnosis/exact_slopes.h"
 #include "validation/diagnosis/joint_search.h"
 
@@ -12,6 +13,8 @@ namespace {
 constexpr int kRounds = 5;
 constexpr int kShortened = 4;        // a step that leads too far, by half each time
 constexpr double kWorthAStep = 0.1;  // of what is left beyond chance: less is not worth its runs
+constexpr double kFirst = 0.25;      // of the width of a beat, by which its size goes first,
+constexpr int kNarrowed = 4;         // by half each time
 
 }  // namespace
 
@@ -22,7 +25,9 @@ void JointSearch::descend() {
     const ByChance chance = byChance();
     const double left = stage_->white(stage_->raw()).squaredNorm() / 2;
     if (left < chance.most_left + chance.critical) return;
-    const std::optional<ModelFit> next = nextByExactRuns();
+    std::optional<ModelFit> next;
+    if (round == 0) next = nextByClocks();
+    if (!next) next = nextByExactRuns();
     if (!next) return;
     Snapshot before = snapshot();
     fit_ = *next;
@@ -42,6 +47,36 @@ bool JointSearch::isWorthAStep(double left) const {
   return before - left > kWorthAStep * (before - byChance().left);
 }
 
+// Half the squares that exact runs of another model leave of what is measured.
+double JointSearch::leftBy(const CauseList& model) {
+  const RunPool pool = ensemble_.pool(settingsOf(causes_, model), effort_.slope_runs);
+  return stage_->whitenFit(data_.mean() - pool.mean).squaredNorm() / 2;
+}
+
+// Coarse steps tick late by up to half of one: of clocks that beat sizes beside theirs, nearer and
+// nearer. There is no slope to follow.
+std::optional<ModelFit> JointSearch::nextByClocks() {
+  ModelFit next = fit_;
+  next.model = stage_->model();
+  double least = 0, before = 0;
+  for (std::size_t i = 0; i < next.model.size(); ++i) {
+    if (!causes_[next.model[i].cause].beats) continue;
+    if (before == 0) least = before = leftBy(next.model);
+    double width = kFirst * beatWidth(data_, next.model[i].x[0]);
+    for (int n = 0; n < kNarrowed; ++n, width /= 2) {
+      const CauseList from = next.model;
+      for (const double moved : {from[i].x[0] - width, from[i].x[0] + width}) {
+        CauseList other = from;
+        other[i].x[0] = moved;
+        const double left = leftBy(other);
+        if (left < least) least = left, next.model = other;
+      }
+    }
+  }
+  if (least >= before - critical()) return std::nullopt;
+  return next;
+}
+
 // A Gauss-Newton step by exact slopes, as far along it as runs say that it helps; none if nowhere.
 std::optional<ModelFit> JointSearch::nextByExactRuns() {
   ModelFit here = fit_;
@@ -52,14 +87,10 @@ std::optional<ModelFit> JointSearch::nextByExactRuns() {
   const Eigen::VectorXd expected =
       stage_->raw() - here.jacobian * (columnOf(there.model) - columnOf(here.model));
   if (!isWorthAStep(stage_->whitenFit(expected).squaredNorm() / 2)) return std::nullopt;
-  const auto left = [&](const CauseList& model) {
-    const RunPool pool = ensemble_.pool(settingsOf(causes_, model), effort_.slope_runs);
-    return stage_->whitenFit(data_.mean() - pool.mean).squaredNorm() / 2;
-  };
-  const double before = left(here.model);
+  const double before = leftBy(here.model);
   const std::vector<double> from = numbersOf(here.model);
   for (int i = 0; i < kShortened; ++i) {
-    if (left(there.model) < before - critical()) return there;
+    if (leftBy(there.model) < before - critical()) return there;
     std::vector<double> half = numbersOf(there.model);
     for (std::size_t k = 0; k < half.size(); ++k) half[k] = (from[k] + half[k]) / 2;
     there.model = withNumbers(here.model, half);

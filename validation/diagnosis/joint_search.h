@@ -116,6 +116,8 @@ class JointSearch {
   void enter(std::unique_ptr<Stage> stage);
   void enterModel(const ModelFit& fit);
   void descend();
+  double leftBy(const CauseList& model);
+  std::optional<ModelFit> nextByClocks();
   std::optional<ModelFit> nextByExactRuns();
   bool isWorthAStep(double left) const;
   double critical() const;

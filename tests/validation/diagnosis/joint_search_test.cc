@@ -268,6 +268,21 @@ TEST(JointSearch, GoesOnByExactRunsWhereTheyLeaveMoreThanChance) {
   EXPECT_NEAR(verdict.named()[0]->numbers[0].deviation, 1.8, 0.01 * 1.8);
 }
 
+// A hold whose coarse steps tick a ten thousandth late: told beside a remainder. So was an elbow's
+// of 10.703 ms, as 10.7016, beside a friction and late readings.
+TEST(JointSearch, MeetsAHoldsBeatByExactRuns) {
+  ToyLaws laws;
+  laws.hold = 0.0094;
+  laws.sent = 0.01;
+  const Mirage mirage(laws, [](EffectSetting& cause) {
+    if (cause.name == "command_hold") cause.parameters["interval"] *= 1.0001;
+  });
+  const JointVerdict verdict = diagnoseAlone(mirage, "command_hold");
+  EXPECT_EQ(verdict.verdict, Verdict::Named);
+  ASSERT_EQ(verdict.named().size(), 1u);
+  EXPECT_NEAR(verdict.named()[0]->numbers[0].deviation, 0.0094, 3e-7);
+}
+
 TEST(JointSearch, AdjustsNothingBesideWhatHasNoName) {
   EXPECT_TRUE(diagnose(deadServo(), without({"servo_deadband"})).adjustments.empty());
 }
