@@ -6,7 +6,7 @@
 
 #include "core/random.h"
 #include "validation/diagnosis/joint_search.h"
-#include "validation/diagnosis/motion_votes.h"
+#include "validation/diagnosis/number_moves.h"
 #include "validation/diagnosis/signature.h"
 
 namespace nao::validation {
@@ -18,82 +18,8 @@ constexpr double kNormal90 = 1.645;  // [SD] half an interval, of a normal distr
 // How well a fitted noise is known: null sets draw theirs from what the fit says. Hidden nulls left
 // 0.6 to 1.09 of the noise floor (60 joints), laws without a name 5 and more.
 constexpr double kNoiseKnown = 1.1;
-constexpr int kHarmonics = 3;    // of a sawtooth: 83 % of its variance
 constexpr double kTold = 0.2;    // of a small difference's variance that data must take away
 constexpr double kMostly = 0.9;  // of a misfit's excess: what explains it is more than a stand-in
-
-// What the numbers of the model would have come out as in each null set: one Gauss-Newton step
-// with the sensitivities of the fit. A row per set.
-Eigen::MatrixXd reestimated(const Stage& stage, const ModelFit& fit) {
-  const SlopeSteps steps = stepsOf(fit, stage);
-  Eigen::MatrixXd moves(static_cast<Eigen::Index>(stage.nulls().size()), fit.jacobian.cols());
-  for (Eigen::Index n = 0; n < moves.rows(); ++n) {
-    const Eigen::VectorXd& null = stage.nulls()[static_cast<std::size_t>(n)];
-    moves.row(n) = steps(stage.whitenFit(null)).transpose();
-  }
-  return moves;
-}
-
-// Beyond chance: what is wrong otherwise draws each motion's numbers its own way.
-void addDisagreement(const JointData& data, const Stage& stage, const ModelFit& fit,
-                     const Eigen::VectorXd& left, Eigen::MatrixXd& moves) {
-  const SlopeSteps steps = stepsOf(fit, stage);
-  std::vector<Eigen::MatrixXd> by_chance;
-  for (const Eigen::VectorXd& null : stage.nulls()) {
-    by_chance.push_back(votesOf(data, stage, fit, steps, null));
-  }
-  const Eigen::VectorXd variance = disagreement(votesOf(data, stage, fit, steps, left), by_chance);
-  Random random(1, "disagreement");
-  for (Eigen::Index n = 0; n < moves.rows(); ++n) {
-    for (Eigen::Index i = 0; i < moves.cols(); ++i) {
-      moves(n, i) += std::sqrt(variance[i]) * random.normal();
-    }
-  }
-}
-
-// A joint that rests reads one count all along, at a stop in motion after motion: rounding is one
-// error there, not one per sample. How far it is from one place of rest to the next, `angle` tells,
-// a prediction that no encoder rounds; where between two counts any of them lies nobody knows, nor
-// where a model's does that reads the same: of both sawteeth, smeared by how the joint shakes, the
-// phase is drawn.
-void addRounding(const JointData& data, const Stage& stage, const ModelFit& fit,
-                 const Eigen::VectorXd& angle, Eigen::MatrixXd& moves) {
-  const Eigen::Index size = data.fitSize();
-  const Eigen::ArrayXd count = angle.head(size).array() / data.quantum();
-  const Eigen::ArrayXd shake = stage.scatter().head(size).array() / data.quantum();
-  const Eigen::ArrayXd of_angle =
-      data.quantum() * (data.rounding().head(size).array() > 0).cast<double>();
-  const SlopeSteps steps = stepsOf(fit, stage);
-  for (int k = 1; k <= kHarmonics; ++k) {
-    const double turn = 2 * M_PI * k;
-    const Eigen::ArrayXd most =
-        of_angle * shake.unaryExpr([k](double sd) { return roundingHarmonic(k, sd); });
-    const Eigen::VectorXd sine = steps(stage.whitenFit((most * (turn * count).sin()).matrix()));
-    const Eigen::VectorXd cosine = steps(stage.whitenFit((most * (turn * count).cos()).matrix()));
-    Random random(1, "where between two counts");  // of every harmonic the same
-    for (Eigen::Index n = 0; n < moves.rows(); ++n) {
-      const double measured = turn * random.uniform(), model = turn * random.uniform();
-      moves.row(n) += ((std::cos(measured) - std::cos(model)) * sine +
-                       (std::sin(measured) - std::sin(model)) * cosine)
-                          .transpose();
-    }
-  }
-}
-
-// What equal robots differ by in the numbers themselves, and what laws leave out.
-void addSpread(const std::vector<Cause>& causes, const CauseList& model, Eigen::MatrixXd& moves) {
-  Random numbers(1, "undeclared numbers"), laws(1, "laws");
-  Eigen::Index column = 0;
-  for (const Chosen& one : model) {
-    const double most = std::sqrt(3.0) * causes[one.cause].spreadAt(one.x[0]);
-    const double law = causes[one.cause].lawErrorAt(one.x[0]);
-    for (Eigen::Index n = 0; n < moves.rows(); ++n) {
-      if (most > 0) moves(n, column) += numbers.uniform(-most, most);
-      moves(n, column) += law * laws.normal();
-    }
-    column += static_cast<Eigen::Index>(one.x.size());
-  }
-}
 
 // Beside a remainder a cause may be the nearest imitation of a law that is not in the catalogue: it
 // is not named alone.
@@ -119,43 +45,53 @@ void setInterval(FoundNumber& number, const Eigen::VectorXd& moves, double high 
   number.high = number.deviation - quantile(all, 1 - high);
 }
 
-// Whether a cause may be of no interest, as its size may be what it is less `moves`. Beside others
-// it may be what their laws leave over: it has to be surer. How steep a coupled stop is and where
-// it begins undo each other: its interval says nothing of what is there.
-bool isSmall(FoundNumber size, const Eigen::VectorXd& moves, const Cause& cause, bool alone) {
-  const double smallest = cause.free[0].smallest;
-  if (cause.coupled) return std::abs(size.deviation) < smallest;
-  setInterval(size, moves, alone ? kHighAlone : kHigh);
-  return mayBeSmall(size.low, size.high, smallest);
+// Whether a cause may be of no interest, as its size may be what it is less `moves`.
+bool isSmall(FoundNumber size, const Eigen::VectorXd& moves, const Cause& cause, double high) {
+  setInterval(size, moves, high);
+  return mayBeSmall(size.low, size.high, cause.free[0].smallest);
 }
 
 }  // namespace
 
 void JointSearch::describe(JointVerdict& verdict) {
   verdict.joint = joint_.joint();
-  Eigen::MatrixXd moves;
-  if (!accepted_.empty()) {
-    moves = reestimated(*stage_, fit_);
-    // What has no name pulls at the numbers as noise of its size would.
-    moves *= std::max(1.0, misfit(*stage_, left_));
-    addDisagreement(data_, *stage_, fit_, left_, moves);
-    if (data_.quantum() > 0) {
-      const Halves angle =
-          ensemble_.exactHalves(settingsOf(causes_, fit_.model), effort_.slope_runs, Over::Fit);
-      addRounding(data_, *stage_, fit_, angle.mean(), moves);
-    }
-  }
-  addSpread(causes_, fit_.model, moves);
+  if (!accepted_.empty()) addFindings(verdict);
+  verdict.adjustments = adjustments();
+}
+
+// Beside others a cause may be what their laws leave over: its whole interval has to be of
+// interest. Alone it need only be by nine chances of ten, with the shape that it has: how steep a
+// coupled stop is and where it begins undo each other, so do a friction and its speed.
+void JointSearch::addFindings(JointVerdict& verdict) {
+  const Eigen::MatrixXd moves = movesOf(fit_);
+  const std::optional<std::size_t> alone = onlyOneOfInterest(fit_.model, causes_);
   Eigen::Index column = 0;
   for (std::size_t i = 0; i < accepted_.size(); ++i) {
     Finding finding = findingOf(i);
-    finding.small = isSmall(finding.numbers[0], moves.col(column), causes_[accepted_[i].cause],
-                            accepted_.size() == 1);
+    const Cause& cause = causes_[accepted_[i].cause];
+    const FoundNumber& size = finding.numbers[0];
+    finding.small = alone == i
+                        ? isSmall(size, movesOf(sizeOf(fit_, i)).col(0), cause, kHighAlone)
+                        : isSmall(size, moves.col(column), cause, kHigh);
     for (FoundNumber& number : finding.numbers) setInterval(number, moves.col(column++));
-    finding.profile = profileOf(i, finding.numbers[0]);
+    finding.profile = profileOf(i, size);
     verdict.findings.push_back(std::move(finding));
   }
-  verdict.adjustments = adjustments();
+}
+
+// A column per number of the fit: how far off it may be, drawn once per null set.
+Eigen::MatrixXd JointSearch::movesOf(const ModelFit& fit) {
+  Eigen::MatrixXd moves = reestimated(*stage_, fit);
+  // What has no name pulls at the numbers as noise of its size would.
+  moves *= std::max(1.0, misfit(*stage_, left_));
+  addDisagreement(data_, *stage_, fit, left_, moves);
+  if (data_.quantum() > 0) {
+    const Halves angle =
+        ensemble_.exactHalves(settingsOf(causes_, fit_.model), effort_.slope_runs, Over::Fit);
+    addRounding(data_, *stage_, fit, angle.mean(), moves);
+  }
+  addSpread(causes_, fit.model, moves);
+  return moves;
 }
 
 // Even by chance alone.
@@ -164,8 +100,7 @@ bool JointSearch::newestIsSmall() const {
   const Cause& cause = causes_[newest.cause];
   const auto numbers = static_cast<Eigen::Index>(newest.x.size());
   const Eigen::MatrixXd moves = reestimated(*stage_, fit_);
-  return isSmall(foundNumbers(cause, newest.x)[0], moves.col(moves.cols() - numbers), cause,
-                 accepted_.size() == 1);
+  return isSmall(foundNumbers(cause, newest.x)[0], moves.col(moves.cols() - numbers), cause, kHigh);
 }
 
 // All but intervals, what they say of its size, and profile.

@@ -161,6 +161,8 @@ class JointSearch {
   void judgeRemainder(JointVerdict& verdict) const;
   Signature remainingShape(const JointVerdict& verdict) const;
   void describe(JointVerdict& verdict);
+  void addFindings(JointVerdict& verdict);
+  Eigen::MatrixXd movesOf(const ModelFit& fit);
   Finding findingOf(std::size_t place) const;
   double lastGainOf(std::size_t cause, double by_look) const;
   void rejectTheRest();

@@ -34,13 +34,12 @@ TEST(JointSearch, NamesNothingWhereNothingIsWrong) {
 
 // A weak servo where gains are of interest from so far on: 0 as its number says, 1 as the end of its
 // interval says.
-JointVerdict diagnoseWithInterest(double way, bool coupled = false) {
+JointVerdict diagnoseWithInterest(double way) {
   const FoundNumber weak = diagnose(softServo(), test::toyCauses()).findings.at(0).numbers[0];
   std::vector<Cause> causes = test::toyCauses();
   for (Cause& cause : causes) {
     if (cause.id != "kp_error") continue;
     cause.free[0].smallest = -((1 - way) * weak.deviation + way * weak.high);
-    cause.coupled = coupled;
   }
   return diagnose(softServo(), causes);
 }
@@ -58,12 +57,6 @@ TEST(JointSearch, NamesNothingThatMayBeTooSmallToMatter) {
 // to 0.0046.
 TEST(JointSearch, NamesWhatIsOfInterestByNineChancesOfTen) {
   EXPECT_EQ(diagnoseWithInterest(0.88).verdict, Verdict::Named);
-}
-
-// Its steepness and where it begins undo each other: an ankle's of -0.14 had an interval from -0.30
-// to 0.04.
-TEST(JointSearch, TheSizeOfACoupledStopIsWhatItsNumberSays) {
-  EXPECT_EQ(diagnoseWithInterest(0.3, true).verdict, Verdict::Named);
 }
 
 TEST(JointSearch, NamesAWeakServoAndHowWeakItIs) {
