@@ -1,10 +1,10 @@
 // The part of JointSearch that puts what was found into words and numbers.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <string>
 
-#include "core/random.h"
 #include "validation/diagnosis/joint_search.h"
 #include "validation/diagnosis/number_moves.h"
 #include "validation/diagnosis/signature.h"

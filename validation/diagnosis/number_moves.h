@@ -28,10 +28,10 @@ void addDisagreement(const JointData& data, const Stage& stage, const ModelFit& 
                      const Eigen::VectorXd& left, Eigen::MatrixXd& moves);
 
 /// A joint that rests reads one count all along, at a stop in motion after motion: rounding is one
-/// error there, not one per sample. How far it is from one place of rest to the next, `angle` tells,
-/// a prediction that no encoder rounds; where between two counts any of them lies nobody knows, nor
-/// where a model's does that reads the same: of both sawteeth, smeared by how the joint shakes, the
-/// phase is drawn.
+/// error there, not one per sample. How far it is from one place of rest to the next, `angle`
+/// tells, a prediction that no encoder rounds; where between two counts any of them lies nobody
+/// knows, nor where a model's does that reads the same: of both sawteeth, smeared by how the joint
+/// shakes, the phase is drawn.
 void addRounding(const JointData& data, const Stage& stage, const ModelFit& fit,
                  const Eigen::VectorXd& angle, Eigen::MatrixXd& moves);
 

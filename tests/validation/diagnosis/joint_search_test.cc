@@ -32,8 +32,8 @@ TEST(JointSearch, NamesNothingWhereNothingIsWrong) {
   EXPECT_GT(verdict.misfit_before, 0.7);
 }
 
-// A weak servo where gains are of interest from so far on: 0 as its number says, 1 as the end of its
-// interval says.
+// A weak servo where gains are of interest from so far on: 0 as its number says, 1 as the end of
+// its interval says.
 JointVerdict diagnoseWithInterest(double way) {
   const FoundNumber weak = diagnose(softServo(), test::toyCauses()).findings.at(0).numbers[0];
   std::vector<Cause> causes = test::toyCauses();
