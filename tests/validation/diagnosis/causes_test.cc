@@ -147,6 +147,22 @@ TEST(WholeCauses, LookAtLegJointsWithLittleTorque) {
   EXPECT_GE(judged, 2);
 }
 
+// A standing knee's gain less by 0.68 was told as a dead band: in the play of its gear a little
+// more gain shows nothing, and a loss is no multiple of it.
+TEST(RobotCauses, AJointsGainIsLookedAtByALossToo) {
+  const auto nao = nao::test::robot("nao_h21_v33");
+  const Joint knee = *nao->findJoint("LKneePitch");
+  int judged = 0;
+  for (const PlacedCause& one : robotCauses(*nao, {knee})) {
+    if (one.cause.id != "kp_error" || one.place != "LKneePitch") continue;
+    const std::vector<double>& starts = one.cause.free[0].starts;
+    EXPECT_LE(*std::min_element(starts.begin(), starts.end()), -0.5);
+    EXPECT_TRUE(one.cause.gross);
+    ++judged;
+  }
+  EXPECT_EQ(judged, 1);
+}
+
 TEST(CauseList, IsJsonToo) {
   const auto list = nlohmann::json::parse(toJson(listCauses("joint", *nao::test::robot("arm"))));
   ASSERT_EQ(list.size(), jointCauses().size());
