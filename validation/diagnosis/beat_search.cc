@@ -14,7 +14,7 @@ constexpr double kTurns =
     0.25;  // by which neighbours of the row part over a motion; a half shows nothing
 constexpr double kLargest = 0.12;  // [s] further than any bus or script holds: free choice
 constexpr std::size_t kBest = 4;   // sizes that all motions are asked about
-constexpr int kInStep = 4;         // ticks that a few commands take: more differ from any others
+constexpr int kInStep = 4;         // ticks until a clock meets a command again, at most
 
 double lengthOf(const MotionSpan& span) { return static_cast<double>(span.rows) * span.dt; }
 
@@ -69,8 +69,8 @@ class BeatRow {
   Eigen::VectorXd before_, residual_;
 };
 
-// Rates [1 / its unit] to be tried: a row, and clocks that meet every few commands, each tick the
-// very next or the last one: to either side of them all is otherwise.
+// Rates [1 / its unit] to be tried: a row, and clocks in step with commands of one per sample. Of
+// these every few ticks meet a command, and to either side take the one before or after it.
 std::vector<double> ratesOf(const FreeNumber& size, const MotionSpan& span) {
   std::vector<double> rates;
   const double most = 1 / size.smallest, step = kTurns / lengthOf(span);

@@ -26,7 +26,7 @@ void JointSearch::descend() {
     const double left = stage_->white(stage_->raw()).squaredNorm() / 2;
     if (left < chance.most_left + chance.critical) return;
     std::optional<ModelFit> next;
-    if (round == 0) next = nextByClocks();
+    if (round == 0) next = nextByClock();
     if (!next) next = nextByExactRuns();
     if (!next) return;
     Snapshot before = snapshot();
@@ -53,27 +53,27 @@ double JointSearch::leftBy(const CauseList& model) {
   return stage_->whitenFit(data_.mean() - pool.mean).squaredNorm() / 2;
 }
 
-// Coarse steps tick late by up to half of one: of clocks that beat sizes beside theirs, nearer and
-// nearer. There is no slope to follow.
-std::optional<ModelFit> JointSearch::nextByClocks() {
-  ModelFit next = fit_;
-  next.model = stage_->model();
-  double least = 0, before = 0;
-  for (std::size_t i = 0; i < next.model.size(); ++i) {
-    if (!causes_[next.model[i].cause].beats) continue;
-    if (before == 0) least = before = leftBy(next.model);
-    double width = kFirst * beatWidth(data_, next.model[i].x[0]);
-    for (int n = 0; n < kNarrowed; ++n, width /= 2) {
-      const CauseList from = next.model;
-      for (const double moved : {from[i].x[0] - width, from[i].x[0] + width}) {
-        CauseList other = from;
-        other[i].x[0] = moved;
-        const double left = leftBy(other);
-        if (left < least) least = left, next.model = other;
-      }
+// Coarse steps round a clock's ticks to their own, and are best at another size, which has no slope
+// to follow: sizes beside it, nearer and nearer. None if the newest cause is no clock that beats.
+std::optional<ModelFit> JointSearch::nextByClock() {
+  const Chosen clock = stage_->model().back();
+  if (!causes_[clock.cause].beats) return std::nullopt;
+  const auto at = [&](double size) {
+    CauseList model = stage_->model();
+    model.back().x[0] = size;
+    return model;
+  };
+  const double before = leftBy(stage_->model());
+  double best = clock.x[0], least = before, width = kFirst * beatWidth(data_, best);
+  for (int i = 0; i < kNarrowed && !ensemble_.spent(); ++i, width /= 2) {
+    for (const double size : {best - width, best + width}) {
+      const double left = leftBy(at(size));
+      if (left < least) least = left, best = size;
     }
   }
   if (least >= before - critical()) return std::nullopt;
+  ModelFit next = fit_;
+  next.model = at(best);
   return next;
 }
 

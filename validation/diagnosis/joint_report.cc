@@ -63,7 +63,12 @@ void JointSearch::describe(JointVerdict& verdict) {
 // interest. Alone it need only be by nine chances of ten, with the shape that it has: how steep a
 // coupled stop is and where it begins undo each other, so do a friction and its speed.
 void JointSearch::addFindings(JointVerdict& verdict) {
-  const Eigen::MatrixXd moves = movesOf(fit_);
+  Eigen::VectorXd angle;
+  if (data_.quantum() > 0) {
+    const auto settings = settingsOf(causes_, fit_.model);
+    angle = ensemble_.exactHalves(settings, effort_.slope_runs, Over::Fit).mean();
+  }
+  const Eigen::MatrixXd moves = movesOf(fit_, angle);
   const std::optional<std::size_t> alone = onlyOneOfInterest(fit_.model, causes_);
   Eigen::Index column = 0;
   for (std::size_t i = 0; i < accepted_.size(); ++i) {
@@ -71,7 +76,7 @@ void JointSearch::addFindings(JointVerdict& verdict) {
     const Cause& cause = causes_[accepted_[i].cause];
     const FoundNumber& size = finding.numbers[0];
     finding.small = alone == i
-                        ? isSmall(size, movesOf(sizeOf(fit_, i)).col(0), cause, kHighAlone)
+                        ? isSmall(size, movesOf(sizeOf(fit_, i), angle).col(0), cause, kHighAlone)
                         : isSmall(size, moves.col(column), cause, kHigh);
     for (FoundNumber& number : finding.numbers) setInterval(number, moves.col(column++));
     finding.profile = profileOf(i, size);
@@ -79,17 +84,14 @@ void JointSearch::addFindings(JointVerdict& verdict) {
   }
 }
 
-// A column per number of the fit: how far off it may be, drawn once per null set.
-Eigen::MatrixXd JointSearch::movesOf(const ModelFit& fit) {
+// A column per number of the fit: how far off it may be, drawn once per null set. `angle`: of the
+// whole model, as no encoder rounds it.
+Eigen::MatrixXd JointSearch::movesOf(const ModelFit& fit, const Eigen::VectorXd& angle) const {
   Eigen::MatrixXd moves = reestimated(*stage_, fit);
   // What has no name pulls at the numbers as noise of its size would.
   moves *= std::max(1.0, misfit(*stage_, left_));
   addDisagreement(data_, *stage_, fit, left_, moves);
-  if (data_.quantum() > 0) {
-    const Halves angle =
-        ensemble_.exactHalves(settingsOf(causes_, fit_.model), effort_.slope_runs, Over::Fit);
-    addRounding(data_, *stage_, fit, angle.mean(), moves);
-  }
+  if (data_.quantum() > 0) addRounding(data_, *stage_, fit, angle, moves);
   addSpread(causes_, fit.model, moves);
   return moves;
 }

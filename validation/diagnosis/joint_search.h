@@ -117,7 +117,7 @@ class JointSearch {
   void enterModel(const ModelFit& fit);
   void descend();
   double leftBy(const CauseList& model);
-  std::optional<ModelFit> nextByClocks();
+  std::optional<ModelFit> nextByClock();
   std::optional<ModelFit> nextByExactRuns();
   bool isWorthAStep(double left) const;
   double critical() const;
@@ -162,7 +162,7 @@ class JointSearch {
   Signature remainingShape(const JointVerdict& verdict) const;
   void describe(JointVerdict& verdict);
   void addFindings(JointVerdict& verdict);
-  Eigen::MatrixXd movesOf(const ModelFit& fit);
+  Eigen::MatrixXd movesOf(const ModelFit& fit, const Eigen::VectorXd& angle) const;
   Finding findingOf(std::size_t place) const;
   double lastGainOf(std::size_t cause, double by_look) const;
   void rejectTheRest();
