@@ -12,10 +12,10 @@
 namespace nao::validation {
 namespace {
 
-constexpr int kMost = 3;            // terms
-constexpr double kWorth = 0.03;     // of what remains: less per column is no term
-constexpr std::size_t kNulls = 40;  // sets that tell what noise lacks
-constexpr double kMisread = 0.02;   // [rad]
+constexpr int kMost = 3;              // terms
+constexpr double kWorth = 0.03;       // of what remains: less per column is no term
+constexpr std::size_t kNulls = 40;    // sets that tell what noise lacks
+constexpr double kMisread = 0.02;     // [rad]
 constexpr double kBeyondNulls = 1.5;  // times the most that a feature explains of one of them
 
 using Columns = std::vector<Eigen::Index>;
