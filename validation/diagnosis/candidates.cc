@@ -11,6 +11,7 @@ namespace nao::validation {
 namespace {
 
 constexpr double kWorthFitting = 0.7;   // of the threshold: what a look must promise
+constexpr double kCoarse = 0.01;        // of the misfit: what a fit leaves by its coarse steps
 constexpr double kHopeless = 0.03;      // of the best look's gain: less never becomes the best fit
 constexpr double kClose = 0.06;         // of the best quick gain: fitted fully as well
 constexpr double kCloseIfShaped = 0.2;  // where only one of several numbers was fitted so far
@@ -53,9 +54,14 @@ Candidates::Candidates(Ensemble& ensemble, const JointData& data, const std::vec
 std::vector<Candidate> Candidates::rankedAt(const Stage& stage, const ByChance& chance) {
   std::vector<Candidate> ranking;
   fitQuickly(stage, startsAt(stage, chance.critical, effort_.survivors), ranking);
+  complete(stage, chance.critical, effort_.finalists, ranking);
   const double all = stage.white(stage.raw()).squaredNorm() / 2;
-  if (!ranking.empty() && all - ranking.front().gain > chance.most_left) addBeats(stage, ranking);
-  return completed(stage, chance.critical, std::move(ranking), effort_.finalists);
+  if (ranking.empty() || all - ranking.front().gain <= chance.most_left + kCoarse * all)
+    return ranking;
+  if (addBeats(stage, ranking)) {
+    fitFinalists(stage, chance.critical, effort_.finalists, ranking);
+  }
+  return ranking;
 }
 
 std::vector<Candidate> Candidates::rankedAgain(const Stage& stage, double critical,
@@ -67,14 +73,14 @@ std::vector<Candidate> Candidates::rankedAgain(const Stage& stage, double critic
   starts.insert(starts.begin(), {own.cause, own.x, 0});
   std::vector<Candidate> ranking;
   fitQuickly(stage, starts, ranking);
-  return completed(stage, critical, std::move(ranking), (effort_.finalists + 1) / 2);
+  complete(stage, critical, (effort_.finalists + 1) / 2, ranking);
+  return ranking;
 }
 
-std::vector<Candidate> Candidates::completed(const Stage& stage, double critical,
-                                             std::vector<Candidate> ranking, int finalists) {
+void Candidates::complete(const Stage& stage, double critical, int finalists,
+                          std::vector<Candidate>& ranking) {
   addTwins(stage, ranking);
   fitFinalists(stage, critical, finalists, ranking);
-  return ranking;
 }
 
 std::vector<QuickFit> Candidates::startsAt(const Stage& stage, double critical, int most) const {
@@ -95,8 +101,8 @@ void Candidates::fitQuickly(const Stage& stage, const std::vector<QuickFit>& sta
   sortBest(ranking);
 }
 
-// Sizes of clocks, which no look at another size tells of.
-void Candidates::addBeats(const Stage& stage, std::vector<Candidate>& ranking) {
+// Sizes of clocks, which no look at another size tells of; false if there are none to try.
+bool Candidates::addBeats(const Stage& stage, std::vector<Candidate>& ranking) {
   std::vector<QuickFit> starts;
   for (std::size_t c = 0; c < causes_.size(); ++c) {
     if (!causes_[c].beats || stage.isTaken(c)) continue;
@@ -105,6 +111,7 @@ void Candidates::addBeats(const Stage& stage, std::vector<Candidate>& ranking) {
     }
   }
   fitQuickly(stage, starts, ranking);
+  return !starts.empty();
 }
 
 // What does nearly the same as the best, from its number.
@@ -126,10 +133,12 @@ void Candidates::addTwins(const Stage& stage, std::vector<Candidate>& ranking) {
 void Candidates::fitFinalists(const Stage& stage, double critical, int most,
                               std::vector<Candidate>& ranking) {
   const double best = ranking.empty() ? 0 : ranking.front().gain;
+  const double worth = kWorthFitting * critical;
   int fitted = 0;
   for (Candidate& candidate : ranking) {
+    if (candidate.gain < worth) break;
     const double close = candidate.x.size() > 1 ? kCloseIfShaped : kClose;
-    if (candidate.gain < best - std::max(2 * critical, close * best)) continue;
+    if (candidate.full || candidate.gain < best - std::max(2 * critical, close * best)) continue;
     if (fitted++ == most || ensemble_.spent()) break;
     fitFinally(stage, candidate);
   }
@@ -158,7 +167,7 @@ void Candidates::weigh(const Stage& stage, const ByChance& chance,
     if (candidate.gain < best.gain - reachOf(best, candidate, chance.critical)) break;
     near.push_back(&candidate);
   }
-  if (near.size() < 2) return;
+  if (near.size() < 2 || near.front()->gain <= chance.critical) return;
   const double before = stage.white(stage.raw()).squaredNorm() / 2;
   for (Candidate* candidate : near) {
     if (ensemble_.spent()) return;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "validation/diagnosis/by_chance.h"
 #include "validation/diagnosis/candidate_fit.h"
 
 namespace nao::validation {
@@ -18,13 +19,6 @@ struct Candidate {
   ModelFit fit;          // if full
 };
 
-/// What chance alone does in a joint's search [nats].
-struct ByChance {
-  double critical = 0;   // a gain that it hardly ever reaches
-  double left = 0;       // half the squares that it leaves
-  double most_left = 0;  // that it leaves in all but one of ten sets
-};
-
 /// Which causes fit best beside the model of a stage: looks at all, quick fits of those that
 /// promise something, full fits of finalists, exact runs between those that are nearly as good.
 /// Out of runs it tells what it did not try. Everything given must outlive it.
@@ -33,8 +27,8 @@ class Candidates {
   Candidates(Ensemble& ensemble, const JointData& data, const std::vector<Cause>& causes,
              const Effort& effort);
 
-  /// Best first, of each cause its best numbers. Sizes of clocks, costly to find, compete unless
-  /// something leaves no more than chance.
+  /// Best first, of each cause its best numbers. Sizes of clocks, costly to find, compete unless a
+  /// finalist leaves no more than chance.
   std::vector<Candidate> rankedAt(const Stage& stage, const ByChance& chance);
   /// The same for the place of a cause that is in the model already: from its own numbers, of the
   /// others half as many, two in full (beside several causes one costs minutes). Sizes of clocks
@@ -52,9 +46,9 @@ class Candidates {
   std::vector<QuickFit> startsAt(const Stage& stage, double critical, int most) const;
   void fitQuickly(const Stage& stage, const std::vector<QuickFit>& starts,
                   std::vector<Candidate>& ranking);
-  std::vector<Candidate> completed(const Stage& stage, double critical,
-                                   std::vector<Candidate> ranking, int finalists);
-  void addBeats(const Stage& stage, std::vector<Candidate>& ranking);
+  void complete(const Stage& stage, double critical, int finalists,
+                std::vector<Candidate>& ranking);
+  bool addBeats(const Stage& stage, std::vector<Candidate>& ranking);
   void addTwins(const Stage& stage, std::vector<Candidate>& ranking);
   void fitFinalists(const Stage& stage, double critical, int most, std::vector<Candidate>& ranking);
   double leftBy(const Stage& stage, ModelFit& fit);

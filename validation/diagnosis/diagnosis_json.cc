@@ -10,17 +10,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json toJson(const FoundNumber& number) {
+  const auto [low, high] = valueInterval(number);
+  return {{"parameter", number.parameter}, {"unit", number.unit},
+          {"value", number.value},         {"interval_90", {low, high}},
+          {"deviation", number.deviation}, {"deviation_90", {number.low, number.high}}};
+}
+
 Json toJson(const std::vector<FoundNumber>& numbers) {
   Json list = Json::array();
-  for (const FoundNumber& number : numbers) {
-    const auto [low, high] = valueInterval(number);
-    list.push_back({{"parameter", number.parameter},
-                    {"unit", number.unit},
-                    {"value", number.value},
-                    {"interval_90", {low, high}},
-                    {"deviation", number.deviation},
-                    {"deviation_90", {number.low, number.high}}});
-  }
+  for (const FoundNumber& number : numbers) list.push_back(toJson(number));
   return list;
 }
 
@@ -56,6 +55,7 @@ Json toJson(const Finding& finding) {
           {"folds_better", finding.folds_better},
           {"one_motion_only", finding.one_motion_only},
           {"below_size_of_interest", finding.small},
+          {"as_shaped", toJson(finding.as_shaped)},
           {"rivals", rivals},
           {"experiment", finding.experiment},
           {"profile", toJson(finding.profile)},
@@ -99,7 +99,7 @@ Json toJson(const JointVerdict& joint) {
 void write(std::ostream& out, const std::string& who, const Finding& finding) {
   out << who << ": " << finding.sentence;
   if (!finding.numbers.empty() && finding.numbers[0].low < finding.numbers[0].high) {
-    out << " (90 %: " << intervalText(finding.numbers[0]) << ")";
+    out << " (90 %: " << sizeIntervalText(finding) << ")";
   }
   out << ": " << finding.cause;
   for (const Rival& rival : finding.rivals) out << " or " << rival.cause;

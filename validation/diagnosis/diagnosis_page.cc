@@ -78,7 +78,7 @@ TextTable findingsOf(const JointVerdict& joint) {
     std::string values, intervals, rivals;
     for (const FoundNumber& number : finding.numbers) {
       values += number.parameter + " " + valueText(number) + " ";
-      intervals += intervalText(number) + " ";
+      intervals += (intervals.empty() ? sizeIntervalText(finding) : intervalText(number)) + " ";
     }
     for (const Rival& rival : finding.rivals) rivals += rival.cause + " ";
     if (finding.one_motion_only) rivals += "(seen in one motion only)";

@@ -45,10 +45,16 @@ void setInterval(FoundNumber& number, const Eigen::VectorXd& moves, double high 
   number.high = number.deviation - quantile(all, 1 - high);
 }
 
+FoundNumber within(FoundNumber number, const Eigen::VectorXd& moves, double high) {
+  setInterval(number, moves, high);
+  return number;
+}
+
 // Whether a cause may be of no interest, as its size may be what it is less `moves`.
-bool isSmall(FoundNumber size, const Eigen::VectorXd& moves, const Cause& cause, double high) {
-  setInterval(size, moves, high);
-  return mayBeSmall(size.low, size.high, cause.free[0].smallest);
+bool isSmall(const FoundNumber& size, const Eigen::VectorXd& moves, const Cause& cause,
+             double high) {
+  const FoundNumber one = within(size, moves, high);
+  return mayBeSmall(one.low, one.high, cause.free[0].smallest);
 }
 
 }  // namespace
@@ -59,33 +65,40 @@ void JointSearch::describe(JointVerdict& verdict) {
   verdict.adjustments = adjustments();
 }
 
-// Beside others a cause may be what their laws leave over: its whole interval has to be of
-// interest. Alone it need only be by nine chances of ten, with the shape that it has: how steep a
-// coupled stop is and where it begins undo each other, so do a friction and its speed.
+// Beside others a cause may be what their laws leave over, beside a remainder what stands in for
+// it: its whole interval has to be of interest. Alone it need only be by nine chances of ten, with
+// the shape that it has: how steep a coupled stop is and where it begins undo each other, so do a
+// friction and its speed.
 void JointSearch::addFindings(JointVerdict& verdict) {
-  Eigen::VectorXd angle;
-  if (data_.quantum() > 0) {
-    const auto settings = settingsOf(causes_, fit_.model);
-    angle = ensemble_.exactHalves(settings, effort_.slope_runs, Over::Fit).mean();
-  }
+  const Eigen::VectorXd angle = unroundedAngle();
   const Eigen::MatrixXd moves = movesOf(fit_, angle);
-  const std::optional<std::size_t> alone = onlyOneOfInterest(fit_.model, causes_);
+  const auto alone = verdict.remains() ? std::nullopt : onlyOneOfInterest(fit_.model, causes_);
   Eigen::Index column = 0;
   for (std::size_t i = 0; i < accepted_.size(); ++i) {
     Finding finding = findingOf(i);
     const Cause& cause = causes_[accepted_[i].cause];
     const FoundNumber& size = finding.numbers[0];
-    finding.small = alone == i
-                        ? isSmall(size, movesOf(sizeOf(fit_, i), angle).col(0), cause, kHighAlone)
-                        : isSmall(size, moves.col(column), cause, kHigh);
+    if (alone == i) {
+      const Eigen::VectorXd as_shaped = movesOf(sizeOf(fit_, i), angle).col(0);
+      finding.small = isSmall(size, as_shaped, cause, kHighAlone);
+      if (moves.cols() > 1) finding.as_shaped = {within(size, as_shaped, kHigh)};
+    } else {
+      finding.small = isSmall(size, moves.col(column), cause, kHigh);
+    }
     for (FoundNumber& number : finding.numbers) setInterval(number, moves.col(column++));
     finding.profile = profileOf(i, size);
     verdict.findings.push_back(std::move(finding));
   }
 }
 
-// A column per number of the fit: how far off it may be, drawn once per null set. `angle`: of the
-// whole model, as no encoder rounds it.
+// Of the whole model, if an encoder rounds it.
+Eigen::VectorXd JointSearch::unroundedAngle() {
+  if (data_.quantum() <= 0) return {};
+  const auto settings = settingsOf(causes_, fit_.model);
+  return ensemble_.exactHalves(settings, effort_.slope_runs, Over::Fit).mean();
+}
+
+// A column per number of the fit: how far off it may be, drawn once per null set.
 Eigen::MatrixXd JointSearch::movesOf(const ModelFit& fit, const Eigen::VectorXd& angle) const {
   Eigen::MatrixXd moves = reestimated(*stage_, fit);
   // What has no name pulls at the numbers as noise of its size would.
@@ -162,8 +175,7 @@ void JointSearch::judge(JointVerdict& verdict) {
   }
   if (verdict.with_repeats) verdict.noise = ensemble_.noise().torque_sd;
   verdict.runs = ensemble_.used();
-  judgeRemainder(verdict);
-  const bool remains = verdict.remainder_score > verdict.remainder_critical;
+  const bool remains = verdict.remains();
   if (remains) {
     doubt(verdict);
     verdict.adjustments.clear();  // they would stand in for what has no name

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace nao::validation {
@@ -15,6 +14,8 @@ constexpr double kNextBest = 0.4;        // of the best gain: tried if the best 
 constexpr double kLawError = 0.003;
 // Of the same: something small that explains less is the last one, what would follow explains less.
 constexpr double kTrifle = 0.03;
+// Of what is left: where two causes one after the other explain less, others would do no better.
+constexpr double kLittle = 0.2;
 constexpr double kUnchecked = 3;      // of the threshold: where it acts too briefly for any fold
 constexpr double kBorneOut = 0.5;     // of what a fit promises, by exact runs: free choice
 constexpr double kSharedPart = 0.15;  // of a number: half the width of a slope
@@ -24,15 +25,6 @@ constexpr double kExcited = 1;  // squared noise SDs of a look: else it cannot b
 double half(const Eigen::VectorXd& x) { return x.squaredNorm() / 2; }
 
 }  // namespace
-
-double quantile(std::vector<double> values, double q) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  const double place = q * static_cast<double>(values.size() - 1);
-  const auto low = static_cast<std::size_t>(place);
-  const std::size_t high = std::min(low + 1, values.size() - 1);
-  return values[low] + (place - static_cast<double>(low)) * (values[high] - values[low]);
-}
 
 double OtherJoints::costOf(std::size_t cause, double x) const {
   double cost = 0;
@@ -122,10 +114,15 @@ std::unique_ptr<Stage> JointSearch::stageOf(const CauseList& model,
   return std::make_unique<Stage>(ensemble_, data_, causes_, model, jacobian, effort_, given_);
 }
 
+// Where chance is all that is left, what there was to see before is looked for: a fifth of a
+// joint's time.
 void JointSearch::enter(std::unique_ptr<Stage> stage) {
+  stage->simulateNulls(joint_.joint());
+  const double left = half(stage->white(stage->raw()));
+  const bool by_chance = !stage->model().empty() && left <= chanceOf(*stage, 0).most_left;
+  stage->lookAround(by_chance ? stage_.get() : nullptr);
   if (!nominal_) nominal_ = std::move(stage_);
   stage_ = std::move(stage);
-  stage_->simulateNulls(joint_.joint());
   nulls_ = {};
   double mean = 0, square = 0;
   for (const Eigen::VectorXd& null : stage_->nulls()) {
@@ -177,12 +174,7 @@ double JointSearch::misfit(const Stage& stage, const Eigen::VectorXd& raw) const
   return std::sqrt(half(stage.whiteAll(raw)) / std::max(floor, 1e-12));
 }
 
-ByChance JointSearch::byChance() const {
-  std::vector<double> left;
-  for (const Eigen::VectorXd& null : stage_->nulls()) left.push_back(half(stage_->white(null)));
-  const double sum = std::accumulate(left.begin(), left.end(), 0.0);
-  return {critical(), sum / std::max(1.0, static_cast<double>(left.size())), quantile(left, 0.9)};
-}
+ByChance JointSearch::byChance() const { return chanceOf(*stage_, critical()); }
 
 double JointSearch::shareOf(const Stage& stage, double gain) const {
   return gain / std::max(half(stage.white(stage.raw())) - byChance().left, gain);
@@ -213,6 +205,11 @@ double JointSearch::greatestGain() const {
 
 bool JointSearch::newestIsTrifle() const {
   return accepted_.back().gain < kTrifle * greatestGain() && newestIsSmall();
+}
+
+bool JointSearch::newestTwoExplainLittle() const {
+  const auto little = [](const Accepted& one) { return one.share < kLittle; };
+  return accepted_.size() > 1 && std::all_of(accepted_.end() - 2, accepted_.end(), little);
 }
 
 bool JointSearch::isAtEnd(const Chosen& one) const {
@@ -330,7 +327,7 @@ bool JointSearch::step() {
 JointVerdict JointSearch::conclude(const OtherJoints& others) {
   others_ = others;
   for (int round = 0; round < 2; ++round) {  // a review may make room for one more
-    while (step() && !newestIsTrifle()) {
+    while (!newestTwoExplainLittle() && step() && !newestIsTrifle()) {
     }
     if (!review()) break;
   }
@@ -338,6 +335,7 @@ JointVerdict JointSearch::conclude(const OtherJoints& others) {
   if (prune()) refine();
   rejectTheRest();
   JointVerdict verdict;
+  judgeRemainder(verdict);
   describe(verdict);
   judge(verdict);
   return verdict;

@@ -127,6 +127,7 @@ class JointSearch {
   bool step();
   double greatestGain() const;
   bool newestIsTrifle() const;
+  bool newestTwoExplainLittle() const;
   bool newestIsSmall() const;
   bool accept(std::vector<Candidate> ranking);
   bool acceptOneOf(std::vector<Candidate>& ranking);
@@ -162,6 +163,7 @@ class JointSearch {
   Signature remainingShape(const JointVerdict& verdict) const;
   void describe(JointVerdict& verdict);
   void addFindings(JointVerdict& verdict);
+  Eigen::VectorXd unroundedAngle();
   Eigen::MatrixXd movesOf(const ModelFit& fit, const Eigen::VectorXd& angle) const;
   Finding findingOf(std::size_t place) const;
   double lastGainOf(std::size_t cause, double by_look) const;
@@ -191,8 +193,5 @@ class JointSearch {
   std::vector<Rejected> rejected_;
   bool trying_ = false;  // whether a cause at the end of its range is freed by a second one
 };
-
-/// The q-quantile of `values`, linear between order statistics.
-double quantile(std::vector<double> values, double q);
 
 }  // namespace nao::validation

@@ -34,7 +34,6 @@ Stage::Stage(Ensemble& ensemble, const JointData& data, const std::vector<Cause>
   quick_base_ = ensemble.halves(settings, effort.look_runs, Over::Fit);
   look_base_ = ensemble.roughHalves(settings, effort.look_runs, Over::Fit);
   raw_ = data.mean() - pool_.mean;
-  look(ensemble, effort);
   const RunPool spread = ensemble.spread(settings, effort.spread_runs);
   const NoiseModes modes = findNoiseModes(spread, pool_.worth(), data, data.sd());
   Eigen::MatrixXd disturbances = directions(effort, ensemble.noise().start_sd);
@@ -50,10 +49,6 @@ Stage::Stage(Ensemble& ensemble, const JointData& data, const std::vector<Cause>
   fit_ = Whitening(sd.head(n), disturbances.topRows(n));
   all_ = Whitening(sd, disturbances);
   setJacobian(jacobian);
-  for (Look& one : looks_) one.white = white(one.raw);
-  for (std::size_t c = 0; c < causes_.size(); ++c) {
-    if (!causes_[c].scan.empty() && !isTaken(c)) scan(c);
-  }
 }
 
 Stage::Stage(const Stage& full, std::size_t without, const Eigen::MatrixXd& jacobian)
@@ -67,12 +62,9 @@ Stage::Stage(const Stage& full, std::size_t without, const Eigen::MatrixXd& jaco
               .mean();
   quick_base_ = ensemble_.halves(settings, effort_.look_runs, Over::Fit);
   look_base_ = ensemble_.roughHalves(settings, effort_.look_runs, Over::Fit);
-  for (const std::vector<double>& x : startsOf(causes_[cause])) {
-    lookAt(ensemble_, cause, x, effort_);
-  }
   setJacobian(jacobian);
   for (Look& one : looks_) one.white = white(one.raw);
-  if (!causes_[cause].scan.empty()) scan(cause);
+  lookAt(cause);
 }
 
 // What the model's numbers explain.
@@ -108,31 +100,44 @@ void Stage::scan(std::size_t cause) {
     row.push_back({x, white(ensemble_.rough(settingsOf(causes_, with)) - before)});
   }
   const SizeGain best = bestOnChords(row, white(raw_));
-  if (best.gain <= 0) return;
-  lookAt(ensemble_, cause, {best.size}, effort_);
-  looks_.back().white = white(looks_.back().raw);
+  if (best.gain > 0) lookAt(cause, {best.size});
 }
 
-void Stage::look(Ensemble& ensemble, const Effort& effort) {
+void Stage::lookAround(const Stage* earlier) {
   for (std::size_t c = 0; c < causes_.size(); ++c) {
-    if (isTaken(c)) continue;
-    const std::vector<std::vector<double>> starts = startsOf(causes_[c]);
-    if (ensemble.spent() && !starts.empty()) {
+    if (isTaken(c) || (earlier != nullptr && takeLooks(*earlier, c))) continue;
+    if (ensemble_.spent() && !startsOf(causes_[c]).empty()) {
       unseen_.push_back(c);
-      continue;
+    } else {
+      lookAt(c);
     }
-    for (const std::vector<double>& x : starts) lookAt(ensemble, c, x, effort);
   }
 }
 
-void Stage::lookAt(Ensemble& ensemble, std::size_t cause, const std::vector<double>& x,
-                   const Effort& effort) {
+// False if it has none.
+bool Stage::takeLooks(const Stage& earlier, std::size_t cause) {
+  const std::size_t before = looks_.size();
+  for (const Look& look : earlier.looks_) {
+    if (look.cause != cause) continue;
+    looks_.push_back(look);
+    looks_.back().white = white(look.raw);
+  }
+  return looks_.size() > before;
+}
+
+void Stage::lookAt(std::size_t cause) {
+  for (const std::vector<double>& x : startsOf(causes_[cause])) lookAt(cause, x);
+  if (!causes_[cause].scan.empty()) scan(cause);
+}
+
+void Stage::lookAt(std::size_t cause, const std::vector<double>& x) {
   const Cause& what = causes_[cause];
   CauseList with = model_;
   with.push_back({cause, x});
   Look found{cause, x, {}, {}, 0, 0};
   found.raw =
-      ensemble.roughHalves(settingsOf(causes_, with), effort.look_runs, Over::Fit) - look_base_;
+      ensemble_.roughHalves(settingsOf(causes_, with), effort_.look_runs, Over::Fit) - look_base_;
+  found.white = white(found.raw);
   const double to_lower = what.free[0].lower / x[0], to_upper = what.free[0].upper / x[0];
   found.lower = std::min(to_lower, to_upper);
   found.upper = std::max(to_lower, to_upper);

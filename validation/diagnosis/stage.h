@@ -46,8 +46,8 @@ struct SmallDifference {
   double known = 0;      // part of its spread that the data take away: 0 nothing, 1 all
 };
 
-/// A model, compared with the measurement: residual, its whitening, one look at every cause that
-/// is not part of the model, and what the residual would be if the model were right.
+/// A model, compared with the measurement: residual, its whitening, what the residual would be if
+/// the model were right, and, once looked around, what every other cause would do.
 class Stage {
  public:
   /// `jacobian`: the change of the prediction per number of the model, column by column. `given`:
@@ -63,6 +63,10 @@ class Stage {
   /// Residuals of data sets measured again at this model, undeclared differences included but for
   /// those in the model's own numbers; drawn from the runs that the model's own mean is made of.
   void simulateNulls(const std::string& joint);
+
+  /// Looks at every cause that the model has not. What an earlier stage of the joint has seen of
+  /// one is taken as it was seen there: beside another model it did nearly the same.
+  void lookAround(const Stage* earlier = nullptr);
 
   const CauseList& model() const { return model_; }
   /// Whether the model has the cause, or everything here has.
@@ -105,9 +109,9 @@ class Stage {
   double largestGain(const Eigen::VectorXd& white) const;
 
  private:
-  void look(Ensemble& ensemble, const Effort& effort);
-  void lookAt(Ensemble& ensemble, std::size_t cause, const std::vector<double>& x,
-              const Effort& effort);
+  bool takeLooks(const Stage& earlier, std::size_t cause);
+  void lookAt(std::size_t cause);
+  void lookAt(std::size_t cause, const std::vector<double>& x);
   void scan(std::size_t cause);
   void setJacobian(const Eigen::MatrixXd& jacobian);
   Eigen::MatrixXd directions(const Effort& effort, double start_sd);

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "sim/effects/coupled_stop.h"
-#include "validation/diagnosis/joint_search.h"
+#include "validation/diagnosis/by_chance.h"
 #include "validation/diagnosis/merge_effects.h"
 
 namespace nao::validation {

@@ -84,6 +84,12 @@ std::string deviationIntervalText(const FoundNumber& number) {
   return textOf(number.low, number.high, number.unit);
 }
 
+std::string sizeIntervalText(const Finding& finding) {
+  const std::string text = intervalText(finding.numbers[0]);
+  if (finding.as_shaped.empty() || intervalText(finding.as_shaped[0]) == text) return text;
+  return text + "; if all else is as found, " + intervalText(finding.as_shaped[0]);
+}
+
 bool JointVerdict::scattersOtherwise() const {
   constexpr double kHalf = 1.5;  // fits to six repeats differ by less
   if (noise <= 0 || nominal_noise <= 0) return false;

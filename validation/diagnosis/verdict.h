@@ -39,6 +39,10 @@ std::string valueText(const FoundNumber& number);
 std::string intervalText(const FoundNumber& number);
 std::string deviationIntervalText(const FoundNumber& number);
 
+struct Finding;
+/// The interval of a finding's first number, and what it would be if all else were as found.
+std::string sizeIntervalText(const Finding& finding);
+
 /// Another cause that explains the data about as well.
 struct Rival {
   std::string cause;
@@ -79,7 +83,10 @@ struct Finding {
   int folds = 0, folds_better = 0;
   double held_out_gain = 0;  // [nats]
   bool one_motion_only = false;
-  bool small = false;         // perhaps below its size of interest: fitted, never named
+  bool small = false;  // perhaps below its size of interest: fitted, never named
+  /// Of a lone cause its first number, with the 90 % interval that it has if all else is as found:
+  /// whether it is of interest is decided by that. Of others, none.
+  std::vector<FoundNumber> as_shaped{};
   std::vector<Rival> rivals;  // none: named alone
   std::string sentence;
   std::string experiment;               // that separates it from its rivals
@@ -137,6 +144,8 @@ struct JointVerdict {
   StatementKind kind{};   // likewise, if nothing is named here
   std::string record{};
 
+  /// Whether more is left than chance leaves.
+  bool remains() const { return remainder_score > remainder_critical; }
   /// The findings that count: of interest.
   std::vector<const Finding*> named() const;
   /// Whether repeats scatter more or less than the robot's file says, by half or more.

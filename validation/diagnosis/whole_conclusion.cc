@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "validation/diagnosis/joint_search.h"
+#include "validation/diagnosis/by_chance.h"
 #include "validation/diagnosis/whole_numbers.h"
 #include "validation/diagnosis/whole_search.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "validation/diagnosis/joint_search.h"
+#include "validation/diagnosis/by_chance.h"
 #include "validation/diagnosis/least_squares.h"
 #include "validation/diagnosis/team.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/random.h"
-#include "validation/diagnosis/joint_search.h"
+#include "validation/diagnosis/by_chance.h"
 #include "validation/diagnosis/whole_scatter.h"
 
 namespace nao::validation {

@@ -82,7 +82,13 @@ class DampedJoint : public testing::Test {
   JointData data_{joint_, kNoNoise};
   Ensemble ensemble_{joint_, data_, kNoNoise, 1000000};
   Stage stage_{ensemble_, data_, causes_, {}, Eigen::MatrixXd(data_.size(), 0), effort_};
-  QuickFit start_ = startsFor(stage_, causes_, stage_.white(stage_.raw()), 10, 1).front();
+  QuickFit start_ = bestLook();
+
+ private:
+  QuickFit bestLook() {
+    stage_.lookAround();
+    return startsFor(stage_, causes_, stage_.white(stage_.raw()), 10, 1).front();
+  }
 };
 
 TEST_F(DampedJoint, ALookThatIsLargerDoesNotSpeakForASmallerSizeItKnowsNothingOf) {

@@ -66,7 +66,8 @@ CrossValidation validated(const ByMotion& felt, const ByMotion& measured) {
   const Effort effort;
   const JointData data(joint, none);
   Ensemble ensemble(joint, data, none, 1000000);
-  const Stage stage(ensemble, data, causes, {}, Eigen::MatrixXd(data.size(), 0), effort);
+  Stage stage(ensemble, data, causes, {}, Eigen::MatrixXd(data.size(), 0), effort);
+  stage.lookAround();
   const auto starts = startsFor(stage, causes, stage.white(stage.raw()), 1, 1);
   EXPECT_FALSE(starts.empty());
   const CauseList model{{0, starts.front().x}};

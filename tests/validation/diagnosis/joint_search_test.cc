@@ -59,6 +59,19 @@ TEST(JointSearch, NamesWhatIsOfInterestByNineChancesOfTen) {
   EXPECT_EQ(diagnoseWithInterest(0.88).verdict, Verdict::Named);
 }
 
+// How much a joint sticks and up to which speed undo each other; a gain has no shape.
+TEST(JointSearch, TellsTheSizeOfALoneCauseAlsoWithTheShapeThatItHas) {
+  EXPECT_TRUE(diagnose(softServo(), test::toyCauses()).findings.at(0).as_shaped.empty());
+  ToyLaws laws;
+  laws.stribeck = 0.4;
+  const Finding sticks = diagnose(laws, test::toyCauses()).findings.at(0);
+  ASSERT_EQ(sticks.cause, "stribeck_friction");
+  ASSERT_EQ(sticks.as_shaped.size(), 1u);
+  EXPECT_EQ(sticks.as_shaped[0].deviation, sticks.numbers[0].deviation);
+  EXPECT_LT(sticks.as_shaped[0].high - sticks.as_shaped[0].low,
+            0.95 * (sticks.numbers[0].high - sticks.numbers[0].low));
+}
+
 TEST(JointSearch, NamesAWeakServoAndHowWeakItIs) {
   const JointVerdict verdict = diagnose(softServo(), test::toyCauses());
   ASSERT_FALSE(verdict.named().empty());
@@ -137,6 +150,19 @@ TEST(JointSearch, SearchesNoFurtherThanATrifle) {
   const JointVerdict verdict = diagnose(laws, causes, four);
   ASSERT_EQ(verdict.findings.size(), 2u);
   EXPECT_TRUE(verdict.findings[1].small);
+}
+
+// Friction near an angle and friction near a speed: a tenth of it by a friction, a tenth of the
+// rest by a dead band, and so on.
+TEST(JointSearch, GivesUpWhereTwoCausesExplainLittle) {
+  Effort four = quick();
+  four.most_causes = 4;
+  ToyLaws laws;
+  laws.spot = 0.5;
+  laws.band = 0.4;
+  const JointVerdict verdict = diagnose(laws, test::toyCauses(), four);
+  EXPECT_EQ(verdict.verdict, Verdict::PartlyExplained);
+  EXPECT_EQ(verdict.findings.size(), 2u);
 }
 
 // A duty that grows with the root of its error alone was told as unknown: there is no more of it.

@@ -64,7 +64,9 @@ struct LawSearch {
       : causes{bounded(id, joint)},
         data(joint, kNoNoise),
         ensemble(joint, data, kNoNoise, 1000000),
-        stage(ensemble, data, causes, {}, Eigen::MatrixXd(data.size(), 0), effort) {}
+        stage(ensemble, data, causes, {}, Eigen::MatrixXd(data.size(), 0), effort) {
+    stage.lookAround();
+  }
 
   static Cause bounded(const std::string& id, const JointSimulator& joint) {
     for (const Cause& cause : jointCauses()) {

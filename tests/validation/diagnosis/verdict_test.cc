@@ -35,14 +35,29 @@ TEST(FoundNumbers, OfALimitAreTurnedOver) {
   EXPECT_TRUE(std::isinf(valueInterval(open).second));
 }
 
+// How steep a coupled stop is and where it begins undo each other: what decides is how steep it is
+// where it was found.
+TEST(Findings, TellWhatTheirSizeIsIfAllElseIsAsFound) {
+  Finding finding;
+  finding.numbers = {delay()};
+  EXPECT_EQ(sizeIntervalText(finding), "12.1 ms to 12.5 ms");
+  finding.as_shaped = {delay()};
+  EXPECT_EQ(sizeIntervalText(finding), "12.1 ms to 12.5 ms");  // no news
+  finding.numbers[0].low = -0.0023;
+  EXPECT_EQ(sizeIntervalText(finding),
+            "7.7 ms to 12.5 ms; if all else is as found, 12.1 ms to 12.5 ms");
+}
+
 // Verdicts go from process to process and to a kept file as bytes. Without its form a limit's
 // interval was turned over no longer: 6.740 to 6.740 rad/s.
 TEST(FoundNumbers, KeepTheirFormWhenTheyAreKept) {
   JointVerdict verdict;
   verdict.findings.resize(1);
   verdict.findings[0].numbers = {rate()};
+  verdict.findings[0].as_shaped = {rate()};
   const auto again = unpack<JointVerdict>(pack(verdict));
   EXPECT_EQ(valueInterval(again.findings[0].numbers[0]), valueInterval(rate()));
+  ASSERT_EQ(again.findings[0].as_shaped.size(), 1u);
 }
 
 }  // namespace
