@@ -15,6 +15,8 @@ constexpr double kTurns =
 constexpr double kLargest = 0.12;  // [s] further than any bus or script holds: free choice
 constexpr std::size_t kBest = 4;   // sizes that all motions are asked about
 constexpr int kInStep = 4;         // ticks until a clock meets a command again, at most
+constexpr double kFirst = 0.25;    // of the width of a beat, by which a size goes first,
+constexpr int kNarrowed = 4;       // by half each time
 
 double lengthOf(const MotionSpan& span) { return static_cast<double>(span.rows) * span.dt; }
 
@@ -106,6 +108,18 @@ std::vector<double> beatingSizes(Ensemble& ensemble, const Stage& stage,
                     std::greater<>());
   std::vector<double> best;
   for (std::size_t i = 0; i < kept; ++i) best.push_back(seen[i].second);
+  return best;
+}
+
+BeatSize bestBeside(BeatSize start, double beat_width, const std::function<double(double)>& left) {
+  BeatSize best = start;
+  double width = kFirst * beat_width;
+  for (int i = 0; i < kNarrowed; ++i, width /= 2) {
+    for (const double x : {best.x - width, best.x + width}) {
+      const BeatSize other{x, left(x)};
+      if (other.left < best.left) best = other;
+    }
+  }
   return best;
 }
 

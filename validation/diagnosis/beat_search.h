@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "validation/diagnosis/stage.h"
@@ -16,5 +17,14 @@ std::vector<double> beatingSizes(Ensemble& ensemble, const Stage& stage,
 
 /// How far from `x` a size may be and still beat alike [its unit].
 double beatWidth(const JointData& data, double x);
+
+/// A size of a clock, and half the squares that exact runs with it leave [nats].
+struct BeatSize {
+  double x = 0, left = 0;
+};
+
+/// Coarse steps round a clock's ticks to their own and are best at another size, which has no slope
+/// to follow: sizes beside it are tried, nearer and nearer. The best, or where it began.
+BeatSize bestBeside(BeatSize start, double beat_width, const std::function<double(double)>& left);
 
 }  // namespace nao::validation

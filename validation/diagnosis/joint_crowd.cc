@@ -169,30 +169,35 @@ OtherJoints JointCrowd::allBut(std::size_t joint) const {
 }
 
 std::vector<double> JointCrowd::gainsAt(std::size_t cause, double x) {
-  return gainsOf(questionOf("cost", cause, {x}),
-                 [&](std::size_t j) { return -searches_[j]->costOf(cause, {x}); });
+  return answersOf(questionOf("cost", cause, {x}),
+                   [&](std::size_t j) { return -searches_[j]->costOf(cause, {x}); });
+}
+
+std::vector<double> JointCrowd::leftAt(std::size_t cause, double x) {
+  return answersOf(questionOf("left", cause, {x}),
+                   [&](std::size_t j) { return searches_[j]->leftBy(cause, x); });
 }
 
 std::vector<double> JointCrowd::gainsAt(std::size_t cause, const std::vector<double>& x,
                                         std::size_t link) {
   const std::vector<Joint> place = tasks_[link].joint->place();
-  return gainsOf(questionOf("link" + std::to_string(link), cause, x), [&](std::size_t j) {
+  return answersOf(questionOf("link" + std::to_string(link), cause, x), [&](std::size_t j) {
     return j == link || carries(j, link) ? -searches_[j]->costOf(cause, x, place) : 0;
   });
 }
 
-std::vector<double> JointCrowd::gainsOf(const std::string& question,
-                                        const std::function<double(std::size_t)>& gain) {
+std::vector<double> JointCrowd::answersOf(const std::string& question,
+                                          const std::function<double(std::size_t)>& work) {
   step_ = "trying causes that several joints share";
   const auto answers = ask(question, [&](std::size_t j) {
-    double gained = 0;
-    taped(j, question, [&] { gained = gain(j); });
+    double number = 0;
+    taped(j, question, [&] { number = work(j); });
     tell();
-    return pack(gained);
+    return pack(number);
   });
-  std::vector<double> gains;
-  for (const std::string& answer : answers) gains.push_back(unpack<double>(answer));
-  return gains;
+  std::vector<double> numbers;
+  for (const std::string& answer : answers) numbers.push_back(unpack<double>(answer));
+  return numbers;
 }
 
 std::vector<SharedStep> JointCrowd::stepsFrom(std::size_t cause, double x) {

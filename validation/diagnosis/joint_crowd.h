@@ -54,6 +54,8 @@ class JointCrowd {
   std::vector<double> gainsAt(std::size_t cause, const std::vector<double>& x, std::size_t link);
   /// Where each joint would have the number instead.
   std::vector<SharedStep> stepsFrom(std::size_t cause, double x);
+  /// What exact runs with this number leave at each joint [nats].
+  std::vector<double> leftAt(std::size_t cause, double x);
   /// Sizes that a joint proposes for a cause that beats.
   std::vector<double> beatingSizesOf(std::size_t joint, std::size_t cause);
   /// Takes a cause for given at all joints and looks anew.
@@ -80,8 +82,8 @@ class JointCrowd {
   OtherJoints allBut(std::size_t joint) const;
   static std::string questionOf(const std::string& what, std::size_t cause,
                                 const std::vector<double>& x);
-  std::vector<double> gainsOf(const std::string& question,
-                              const std::function<double(std::size_t)>& gain);
+  std::vector<double> answersOf(const std::string& question,
+                                const std::function<double(std::size_t)>& work);
   std::vector<EffectSetting> carriedBy(std::size_t joint,
                                        const std::vector<JointVerdict>& verdicts) const;
   JointVerdict searchedAnew(std::size_t joint, const std::vector<JointVerdict>& verdicts);

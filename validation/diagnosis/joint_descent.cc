@@ -13,8 +13,6 @@ namespace {
 constexpr int kRounds = 5;
 constexpr int kShortened = 4;        // a step that leads too far, by half each time
 constexpr double kWorthAStep = 0.1;  // of what is left beyond chance: less is not worth its runs
-constexpr double kFirst = 0.25;      // of the width of a beat, by which its size goes first,
-constexpr int kNarrowed = 4;         // by half each time
 
 }  // namespace
 
@@ -48,13 +46,17 @@ bool JointSearch::isWorthAStep(double left) const {
 }
 
 // Half the squares that exact runs of another model leave of what is measured.
-double JointSearch::leftBy(const CauseList& model) {
-  const RunPool pool = ensemble_.pool(settingsOf(causes_, model), effort_.slope_runs);
+double JointSearch::leftBy(const std::vector<EffectSetting>& causes) {
+  const RunPool pool = ensemble_.pool(causes, effort_.slope_runs);
   return stage_->whitenFit(data_.mean() - pool.mean).squaredNorm() / 2;
 }
 
-// Coarse steps round a clock's ticks to their own, and are best at another size, which has no slope
-// to follow: sizes beside it, nearer and nearer. None if the newest cause is no clock that beats.
+double JointSearch::leftBy(const CauseList& model) { return leftBy(settingsOf(causes_, model)); }
+double JointSearch::leftBy(std::size_t cause, double x) {
+  return leftBy(std::vector{sharedSetting(cause, x)});
+}
+
+// None if the newest cause is no clock that beats.
 std::optional<ModelFit> JointSearch::nextByClock() {
   const Chosen clock = stage_->model().back();
   if (!causes_[clock.cause].beats) return std::nullopt;
@@ -64,16 +66,12 @@ std::optional<ModelFit> JointSearch::nextByClock() {
     return model;
   };
   const double before = leftBy(stage_->model());
-  double best = clock.x[0], least = before, width = kFirst * beatWidth(data_, best);
-  for (int i = 0; i < kNarrowed && !ensemble_.spent(); ++i, width /= 2) {
-    for (const double size : {best - width, best + width}) {
-      const double left = leftBy(at(size));
-      if (left < least) least = left, best = size;
-    }
-  }
-  if (least >= before - critical()) return std::nullopt;
+  const BeatSize best =
+      bestBeside({clock.x[0], before}, beatWidth(data_, clock.x[0]),
+                 [&](double size) { return ensemble_.spent() ? before : leftBy(at(size)); });
+  if (best.left >= before - critical()) return std::nullopt;
   ModelFit next = fit_;
-  next.model = at(best);
+  next.model = at(best.x);
   return next;
 }
 

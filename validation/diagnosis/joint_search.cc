@@ -327,9 +327,10 @@ bool JointSearch::step() {
 JointVerdict JointSearch::conclude(const OtherJoints& others) {
   others_ = others;
   for (int round = 0; round < 2; ++round) {  // a review may make room for one more
+    const std::size_t before = accepted_.size();
     while (!newestTwoExplainLittle() && step() && !newestIsTrifle()) {
     }
-    if (!review()) break;
+    if (accepted_.size() == before || !review()) break;
   }
   refine();
   if (prune()) refine();

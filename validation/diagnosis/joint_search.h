@@ -77,6 +77,8 @@ class JointSearch {
                 const std::vector<Joint>& place = {});
   /// By exact runs: coarse steps are off by as much as a message takes. Before give().
   SharedStep stepFrom(std::size_t cause, double x);
+  /// Half the squares of the fit motions' residual that exact runs with this number given leave.
+  double leftBy(std::size_t cause, double x);
   /// Sizes that this joint proposes for a cause that beats.
   std::vector<double> beatingSizesOf(std::size_t cause) {
     return beatingSizes(ensemble_, *stage_, causes_, cause);
@@ -116,6 +118,7 @@ class JointSearch {
   void enter(std::unique_ptr<Stage> stage);
   void enterModel(const ModelFit& fit);
   void descend();
+  double leftBy(const std::vector<EffectSetting>& causes);
   double leftBy(const CauseList& model);
   std::optional<ModelFit> nextByClock();
   std::optional<ModelFit> nextByExactRuns();

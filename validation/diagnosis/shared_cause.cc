@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "validation/diagnosis/beat_search.h"
 #include "validation/diagnosis/shared_fit.h"
@@ -106,13 +107,22 @@ SharedStep stepOfAll(JointCrowd& joints, const SharedCause& shared) {
   return all;
 }
 
+void refineClock(JointCrowd& joints, SharedCause& shared) {
+  const auto left = [&](double x) {
+    const std::vector<double> each = joints.leftAt(shared.cause, x);
+    return std::accumulate(each.begin(), each.end(), 0.0);
+  };
+  const double width = beatWidth(joints.data(0), shared.x);
+  shared.x = shared.low = shared.high = bestBeside({shared.x, left(shared.x)}, width, left).x;
+}
+
 // Coarse runs found it; exact ones of all joints together say by how much it is off, and null sets
-// how well they know. Sizes of clocks stay where they beat.
+// how well they know.
 void refine(JointCrowd& joints, SharedCause& shared) {
   const Cause& cause = joints.causes()[shared.cause];
   const FreeNumber& number = cause.free[0];
+  if (cause.beats) return refineClock(joints, shared);
   shared.low = shared.high = shared.x;
-  if (cause.beats) return;
   for (int round = 0; round < kRounds; ++round) {
     SharedStep all = stepOfAll(joints, shared);
     if (all.square <= 0) return;

@@ -1,5 +1,7 @@
 #include "validation/diagnosis/beat_search.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "tests/validation/diagnosis/toy_joint.h"
@@ -49,6 +51,19 @@ TEST(BeatSearch, MeetsAHoldInStepWithTheCommands) {
   const Proposed proposed = proposedFor(0.0175);
   ASSERT_FALSE(proposed.sizes.empty());
   EXPECT_NEAR(proposed.sizes.front(), 0.0175, 1e-9);
+}
+
+// Coarse runs had found a hold of 10.703 ms as one of 10.7016, where a beat is 0.0047 ms wide.
+TEST(BeatSearch, AnExactSizeIsComeNearerFromOneBeside) {
+  const auto left = [](double x) { return std::abs(x - 10.703e-3); };
+  const BeatSize best = bestBeside({10.7016e-3, left(10.7016e-3)}, 0.0047e-3, left);
+  EXPECT_NEAR(best.x, 10.703e-3, 0.0047e-3 / 32);
+  EXPECT_EQ(best.left, left(best.x));
+}
+
+TEST(BeatSearch, ASizeThatNoneBesideItBettersStays) {
+  const auto flat = [](double) { return 5.0; };
+  EXPECT_EQ(bestBeside({0.01, 5.0}, 1e-3, flat).x, 0.01);
 }
 
 }  // namespace
