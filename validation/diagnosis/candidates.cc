@@ -11,7 +11,7 @@ namespace nao::validation {
 namespace {
 
 constexpr double kWorthFitting = 0.7;   // of the threshold: what a look must promise
-constexpr double kCoarse = 0.01;        // of the misfit: what a fit leaves by its coarse steps
+constexpr double kCoarse = 0.002;       // of the misfit: what a fit leaves by its coarse steps
 constexpr double kHopeless = 0.03;      // of the best look's gain: less never becomes the best fit
 constexpr double kClose = 0.06;         // of the best quick gain: fitted fully as well
 constexpr double kCloseIfShaped = 0.2;  // where only one of several numbers was fitted so far
