@@ -15,7 +15,9 @@ namespace {
 constexpr int kMost = 3;              // terms
 constexpr double kWorth = 0.03;       // of what remains: less per column is no term
 constexpr std::size_t kNulls = 40;    // sets that tell what noise lacks
-constexpr double kMisread = 0.02;     // [rad]
+constexpr double kMisread = 0.05;     // [rad] as far off as encoders are that are worth a word
+constexpr double kNearStop = 0.15;    // [rad] of the range's end: an encoder may be off by that
+constexpr double kAtRest = 0.05;      // [rad/s]
 constexpr double kBeyondNulls = 1.5;  // times the most that a feature explains of one of them
 
 using Columns = std::vector<Eigen::Index>;
@@ -102,6 +104,7 @@ class Lack {
   /// is not known shows in it.
   const Eigen::VectorXd& error() const { return alone_.error; }
   double dt() const { return span_.dt; }
+  std::pair<double, double> range() const { return joint_.range(); }
 
  private:
   const JointSimulator& joint_;
@@ -119,9 +122,10 @@ struct Remainders {
 
 void addMotion(const Lack& lack, const Stage& stage, const TorqueFeatures& features,
                const Eigen::MatrixXd& motion, Remainders& all) {
-  Eigen::MatrixXd chance(motion.rows(), static_cast<Eigen::Index>(all.nulls.size()));
+  const std::vector<Eigen::Index> rows = rowsOffStops(motion, lack.range());
+  Eigen::MatrixXd chance(rows.size(), all.nulls.size());
   for (Eigen::Index i = 0; i < chance.cols(); ++i) {
-    chance.col(i) = lack.by(stage.nulls()[static_cast<std::size_t>(i)]);
+    chance.col(i) = lack.by(stage.nulls()[static_cast<std::size_t>(i)])(rows);
   }
   const double sd = rootMeanSquare(chance);
   auto along = std::make_shared<Along>();
@@ -130,9 +134,9 @@ void addMotion(const Lack& lack, const Stage& stage, const TorqueFeatures& featu
     along->x.col(features.columns() - features.misreadings() + i) =
         lack.byMisreading(features.misreading(i, lack.course()));
   }
-  along->x /= sd;
+  along->x = (along->x(rows, Eigen::all) / sd).eval();
   along->xx = along->x.transpose() * along->x;
-  all.measured.add(along, lack.by(stage.raw()) / sd);
+  all.measured.add(along, lack.by(stage.raw())(rows) / sd);
   for (Eigen::Index i = 0; i < chance.cols(); ++i) {
     all.nulls[static_cast<std::size_t>(i)].add(along, chance.col(i) / sd);
   }
@@ -189,6 +193,17 @@ std::string Signature::text() const {
     all += part;
   }
   return all;
+}
+
+std::vector<Eigen::Index> rowsOffStops(const Eigen::MatrixXd& motion,
+                                       std::pair<double, double> range) {
+  std::vector<Eigen::Index> rows;
+  for (Eigen::Index i = 0; i < motion.rows(); ++i) {
+    const double q = motion(i, 0);
+    const bool near = q < range.first + kNearStop || q > range.second - kNearStop;
+    if (!near || std::abs(motion(i, 1)) > kAtRest) rows.push_back(i);
+  }
+  return rows;
 }
 
 Signature signatureOf(const JointSimulator& joint, const JointData& data, const Stage& stage,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "validation/diagnosis/stage.h"
@@ -21,6 +22,12 @@ struct Signature {
   std::vector<SignatureTerm> terms;
   std::string text() const;
 };
+
+/// The rows of a motion, its angle and rate by column, that no stop can hold: where a joint rests
+/// near an end of its range [rad], lower and upper, its stop takes any torque, and what a model
+/// lacks there tells nothing.
+std::vector<Eigen::Index> rowsOffStops(const Eigen::MatrixXd& motion,
+                                       std::pair<double, double> range);
 
 /// What `stage` leaves, whose model are `causes`: the torque that the model lacks to move as it was
 /// measured, less what it lacks to move as it is predicted. What null sets lack by chance is no

@@ -74,6 +74,14 @@ TEST(Signature, FindsABrakeThatComesAndGoes) {
   EXPECT_EQ(firstFeature(laws), "sgn v with sin and cos of 0.5 Hz");
 }
 
+// An encoder that reads up to 0.09 rad wrong let a shoulder meet its stop: those rows, a sixth,
+// were five sixths of what remained, and nothing was found that it goes with.
+TEST(Signature, LeavesOutWhereAStopMayHoldTheJoint) {
+  Eigen::MatrixXd motion(5, 2);
+  motion << -1.2, 0, -1.2, -0.3, 0.5, 0, 1.9, 0.01, 1.8, 0;
+  EXPECT_EQ(rowsOffStops(motion, {-1.3, 2.0}), (std::vector<Eigen::Index>{1, 2, 4}));
+}
+
 TEST(Signature, FindsNothingWhereNothingIs) { EXPECT_EQ(firstFeature({}), ""); }
 
 }  // namespace
