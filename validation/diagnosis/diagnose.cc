@@ -31,6 +31,17 @@ SharedFinding describe(const SharedCause& shared, const std::vector<Cause>& caus
   return found;
 }
 
+// Beside a remainder it may be the nearest imitation of a law that is not in the catalogue.
+void doubt(SharedFinding& shared, const std::vector<JointVerdict>& joints) {
+  if (std::none_of(joints.begin(), joints.end(),
+                   [](const JointVerdict& joint) { return joint.remains(); })) {
+    return;
+  }
+  Finding& finding = shared.finding;
+  finding.rivals.push_back({"unknown", {}, 0});
+  if (finding.rivals.size() == 1) finding.experiment = "look at the signature of what remains";
+}
+
 // What several joints share. Where the link of one explains the same better than one gravity for
 // all, that is given to those that carry it, and nothing is shared.
 std::optional<SharedCause> sharedUnlessOfALink(JointCrowd& joints,
@@ -52,6 +63,7 @@ std::optional<SharedCause> sharedUnlessOfALink(JointCrowd& joints,
 
 Verdict overall(const SetDiagnosis& diagnosis) {
   const Verdict joints = overall(diagnosis.joints);
+  if (joints == Verdict::Unknown && !diagnosis.shared.empty()) return Verdict::PartlyExplained;
   if (joints != Verdict::NoDiscrepancy || diagnosis.shared.empty()) return joints;
   const auto rivals = [](const SharedFinding& one) { return !one.finding.rivals.empty(); };
   const bool any = std::any_of(diagnosis.shared.begin(), diagnosis.shared.end(), rivals);
@@ -72,6 +84,7 @@ SetDiagnosis diagnoseJoints(const std::vector<JointTask>& tasks, const std::vect
     joints.give(shared->cause, shared->x);
   }
   result.joints = joints.conclude();
+  if (shared) doubt(result.shared.back(), result.joints);
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     result.joints[i].nominal_noise = tasks[i].nominal.torque_sd;
     result.runs += result.joints[i].runs;

@@ -11,8 +11,12 @@
 namespace nao::validation {
 namespace {
 
-constexpr double kAsGood = 0.8;   // of what the joints' own causes explain by looks: both are rough
-constexpr int kTried = 3;         // shared causes that are fitted
+constexpr double kAsGood = 0.8;  // of what the joints' own causes explain by looks: both are rough
+constexpr double kPlausible = 0.5;  // of the same, by the best look: else joints share nothing
+// Of the same: less never becomes the best fit. A filter of 4 ms is looked at by 15, from where no
+// straight line leads to it.
+constexpr double kHopeless = 0.04;
+constexpr int kTried = 5;         // shared causes that are fitted
 constexpr int kRounds = 4;        // of exact steps
 constexpr double kSettled = 0.2;  // of the interval: a step that is no longer worth another
 constexpr double kSame = 0.03;    // of the gain: rivals within it are not told apart
@@ -148,8 +152,9 @@ std::optional<SharedCause> findShared(JointCrowd& joints, double critical) {
   std::stable_sort(looks.begin(), looks.end(),
                    [](const SharedLook& a, const SharedLook& b) { return a.gain() > b.gain(); });
   std::vector<SharedCause> fits;
+  const bool plausible = !looks.empty() && looks.front().gain() >= kPlausible * own;
   for (const SharedLook& look : looks) {
-    if (look.gain() <= critical || look.gain() < kAsGood * own) break;
+    if (!plausible || look.gain() <= std::max(critical, kHopeless * own)) break;
     const bool tried = std::any_of(fits.begin(), fits.end(),
                                    [&](const SharedCause& one) { return one.cause == look.cause; });
     const bool beats = joints.causes()[look.cause].beats;  // looked at below

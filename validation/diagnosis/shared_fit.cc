@@ -9,7 +9,7 @@ namespace nao::validation {
 namespace {
 
 constexpr double kWidth = 0.3, kShrink = 0.35;  // of the number, per round
-constexpr int kRounds = 3, kHalvings = 5;
+constexpr int kNarrowed = 3, kMostRounds = 8, kHalvings = 5;
 
 double sum(const std::vector<double>& gains) {
   return std::accumulate(gains.begin(), gains.end(), 0.0);
@@ -23,12 +23,16 @@ SharedFit::SharedFit(std::function<std::vector<double>(double)> gains_at, double
 
 void SharedFit::narrow(double centre) {
   double width = kWidth * std::abs(centre);
-  for (int round = 0; round < kRounds && width > 0; ++round, width *= kShrink) {
+  for (int round = 0, narrowed = 0; round < kMostRounds && narrowed < kNarrowed; ++round) {
+    if (width <= 0) return;
     const double low = gainAt(centre - width), mid = gainAt(centre), high = gainAt(centre + width),
                  bend = low - 2 * mid + high;
     const double move =
         bend < 0 ? (low - high) / (2 * bend) * width : (high > low ? width : -width);
     centre += std::clamp(move, -2 * width, 2 * width);
+    const bool between = bend < 0 && std::abs(move) <= width;
+    width = between ? kShrink * width : kWidth * std::abs(centre);
+    if (between) ++narrowed;
   }
   gainAt(centre);
 }

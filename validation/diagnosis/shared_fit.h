@@ -12,7 +12,7 @@ class SharedFit {
   /// `gains_at`: what each joint gains with a number [nats].
   SharedFit(std::function<std::vector<double>(double)> gains_at, double lower, double upper);
 
-  /// Narrows a bracket of three numbers around the best by parabolas, from `centre` on.
+  /// Brackets the best by three numbers, from `centre` on, and narrows the bracket by parabolas.
   void narrow(double centre);
   void tryAll(const std::vector<double>& numbers);
   /// Goes to either side of the best by `width`, then by half of that and so on.

@@ -56,6 +56,17 @@ TEST(Diagnose, SaysOnceWhatAllJointsShare) {
   for (const JointVerdict& joint : found.joints) EXPECT_TRUE(joint.named().empty());
 }
 
+// A battery was named alone that two ankles were to share, which left 39 SD of null sets at one.
+TEST(Diagnose, WhatJointsShareIsNotNamedAloneBesideARemainder) {
+  ToyLaws odd = late();
+  odd.cogging = 0.1;
+  const SetDiagnosis found = diagnose({odd, late()});
+  ASSERT_EQ(found.shared.size(), 1u);
+  ASSERT_FALSE(found.shared[0].finding.rivals.empty());
+  EXPECT_EQ(found.shared[0].finding.rivals.back().cause, "unknown");
+  EXPECT_EQ(found.verdict, Verdict::PartlyExplained);
+}
+
 TEST(Diagnose, NamesAJointsOwnFaultThereAlone) {
   ToyLaws weak;
   weak.kp *= 0.7;
