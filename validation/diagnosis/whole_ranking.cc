@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "validation/diagnosis/by_chance.h"
 #include "validation/diagnosis/team.h"
 #include "validation/diagnosis/whole_search.h"
 
@@ -16,6 +17,7 @@ constexpr double kSizes[] = {0.35, 0.5, 0.7, 1, 1.4};
 constexpr std::size_t kMostLooks = 6;
 // What a fit of one cause must gain for one of all: of the threshold, and of the best one's.
 constexpr double kWorth = 0.5, kBehind = 0.2;
+constexpr double kMostNulls = 0.9;  // of null sets: what most of them leave
 
 }  // namespace
 
@@ -112,16 +114,30 @@ std::vector<WholeSearch::Promise> WholeSearch::promises() const {
   return all;
 }
 
+// Whether the model leaves no more than null sets do: then what promises less than chance may is
+// chance, and not worth a fit.
+bool WholeSearch::leavesOnlyChance() const {
+  if (fit_.model.empty()) return false;
+  std::vector<double> nulls;
+  for (const Eigen::VectorXd& null : stage_->nulls()) {
+    nulls.push_back(stage_->white(null).squaredNorm());
+  }
+  return stage_->white(stage_->raw()).squaredNorm() <= quantile(nulls, kMostNulls);
+}
+
 // By cause, where their fits begin.
 std::vector<std::vector<WholeChosen>> WholeSearch::finalists() {
   const std::vector<Promise> looks = promises();
-  const double least = looks.empty() ? 0 : std::max(critical_ / 3, 0.1 * looks.front().gain);
+  const bool chance = leavesOnlyChance();
+  double least = looks.empty() ? 0 : std::max(critical_ / 3, 0.1 * looks.front().gain);
+  if (chance) least = std::max(least, critical_);
   std::vector<std::vector<WholeChosen>> all;
   for (const Promise& one : looks) {
     if (one.gain >= least && static_cast<int>(all.size()) < task_.effort.finalists) {
       all.push_back(beginningsOf(*one.look, one.scale));
     } else if (one.gain > critical_ / 3 && provisionalOf(one.look->cause) == nullptr) {
-      rejected_.push_back({labelOf(one.look->cause, ""), one.gain, "others promise more"});
+      rejected_.push_back({labelOf(one.look->cause, ""), one.gain,
+                           chance ? "below the threshold" : "others promise more"});
     }
   }
   for (const Provisional& one : provisional_) {

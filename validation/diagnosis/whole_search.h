@@ -67,6 +67,7 @@ class WholeSearch {
     const WholeLook* look = nullptr;
   };
   std::vector<Promise> promises() const;
+  bool leavesOnlyChance() const;
   std::vector<std::vector<WholeChosen>> finalists();
   std::vector<Candidate> rank();
   void preferProvisional(std::vector<Candidate>& ranking) const;
