@@ -151,12 +151,13 @@ bool isBestSeen(const Start& start, const std::vector<Start>& starts) {
 }  // namespace
 
 QuickFit fitQuickly(Ensemble& ensemble, const Stage& stage, const std::vector<Cause>& causes,
-                    const QuickFit& start, const Effort& effort) {
+                    const QuickFit& start, const Effort& effort, double least) {
   const auto& [cause, x, promised] = start;
   const auto search = [&, cause = start.cause](SizeSearch::Runs runs) {
     return SizeSearch(ensemble, stage, causes, cause, effort, runs);
   };
   const SizeSearch::Point rough = search(SizeSearch::Runs::Rough).from(x);
+  if (rough.gain < least) return {cause, rough.x, rough.gain};
   if (const Look* look = widerLook(stage, causes, cause, x)) {
     const Explained explained(look->white, stage.white(stage.raw()));
     const double gain = explained.gain(x[0] / look->x[0]);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "validation/diagnosis/slope_steps.h"
@@ -24,9 +25,11 @@ struct QuickFit {
 };
 
 /// The numbers of a cause that fit best, by ensembles of look_runs. Begins at those of `start`,
-/// whose gain is what they promise, and looks for the size: further numbers stay.
+/// whose gain is what they promise, and looks for the size: further numbers stay. What gains less
+/// than `least` by rough runs is left at that.
 QuickFit fitQuickly(Ensemble& ensemble, const Stage& stage, const std::vector<Cause>& causes,
-                    const QuickFit& start, const Effort& effort);
+                    const QuickFit& start, const Effort& effort,
+                    double least = -std::numeric_limits<double>::infinity());
 
 /// The same of a rough cause that something shapes, from where fitQuickly() left it.
 QuickFit reshaped(Ensemble& ensemble, const Stage& stage, const std::vector<Cause>& causes,

@@ -1,6 +1,7 @@
 #include "validation/diagnosis/candidates.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "validation/diagnosis/beat_search.h"
@@ -13,6 +14,7 @@ namespace {
 constexpr double kWorthFitting = 0.7;   // of the threshold: what a look must promise
 constexpr double kCoarse = 0.002;       // of the misfit: what a fit leaves by its coarse steps
 constexpr double kHopeless = 0.03;      // of the best look's gain: less never becomes the best fit
+constexpr double kFarBehind = 0.25;     // of the best so far: not worth finer steps than rough ones
 constexpr double kClose = 0.06;         // of the best quick gain: fitted fully as well
 constexpr double kCloseIfShaped = 0.2;  // where only one of several numbers was fitted so far
 constexpr std::size_t kWeighed = 3;
@@ -96,7 +98,9 @@ void Candidates::fitQuickly(const Stage& stage, const std::vector<QuickFit>& sta
       not_tried_.push_back(causes_[start.cause].id);
       continue;
     }
-    put(validation::fitQuickly(ensemble_, stage, causes_, start, effort_), ranking);
+    double least = -std::numeric_limits<double>::infinity();
+    for (const Candidate& one : ranking) least = std::max(least, kFarBehind * one.gain);
+    put(validation::fitQuickly(ensemble_, stage, causes_, start, effort_, least), ranking);
   }
   sortBest(ranking);
 }
