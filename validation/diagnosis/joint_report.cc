@@ -65,14 +65,15 @@ void JointSearch::describe(JointVerdict& verdict) {
   verdict.adjustments = adjustments();
 }
 
-// Beside others a cause may be what their laws leave over, beside a remainder what stands in for
-// it: its whole interval has to be of interest. Alone it need only be by nine chances of ten, with
-// the shape that it has: how steep a coupled stop is and where it begins undo each other, so do a
-// friction and its speed.
+// Beside others a cause may be what their laws leave over: its whole interval has to be of
+// interest. Alone it need only be with the shape that it has, as how steep a coupled stop is and
+// where it begins undo each other, so do a friction and its speed; by nine chances of ten, if there
+// is no remainder that it may stand in for.
 void JointSearch::addFindings(JointVerdict& verdict) {
   const Eigen::VectorXd angle = unroundedAngle();
   const Eigen::MatrixXd moves = movesOf(fit_, angle);
-  const auto alone = verdict.remains() ? std::nullopt : onlyOneOfInterest(fit_.model, causes_);
+  const auto alone = onlyOneOfInterest(fit_.model, causes_);
+  const double sure = verdict.remains() ? kHigh : kHighAlone;
   Eigen::Index column = 0;
   for (std::size_t i = 0; i < accepted_.size(); ++i) {
     Finding finding = findingOf(i);
@@ -80,7 +81,7 @@ void JointSearch::addFindings(JointVerdict& verdict) {
     const FoundNumber& size = finding.numbers[0];
     if (alone == i) {
       const Eigen::VectorXd as_shaped = movesOf(sizeOf(fit_, i), angle).col(0);
-      finding.small = isSmall(size, as_shaped, cause, kHighAlone);
+      finding.small = isSmall(size, as_shaped, cause, sure);
       if (moves.cols() > 1) finding.as_shaped = {within(size, as_shaped, kHigh)};
     } else {
       finding.small = isSmall(size, moves.col(column), cause, kHigh);
