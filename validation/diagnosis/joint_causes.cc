@@ -4,6 +4,7 @@
 // friction 10 %, gains 2 %, zero 0.1 degree at most, taken as uniform.
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "validation/diagnosis/causes.h"
 #include "validation/diagnosis/fold_search.h"
@@ -42,6 +43,11 @@ Cause forAll(Cause cause) {
 Cause byGrid(Cause cause) {
   cause.linear = false;
   return cause;
+}
+void makeFamily(const char* name, const std::set<std::string>& effects, std::vector<Cause>& all) {
+  for (Cause& cause : all) {
+    if (effects.count(cause.effect) > 0) cause.family = name;
+  }
 }
 // A part, all of which is a law as good as any.
 Cause wholly(Cause cause) {
@@ -253,6 +259,11 @@ const std::vector<Cause>& jointCauses() {
     addGear(all);
     addLoad(all);
     addTiming(all);
+    makeFamily("friction",
+               {"coulomb_friction", "viscous_friction", "stribeck_friction", "load_friction",
+                "friction_asymmetry"},
+               all);
+    makeFamily("give", {"backlash", "gear_compliance", "servo_deadband"}, all);
     const auto unknown = [](const Cause& cause) {
       return sim::standardEffects().find(cause.effect) == nullptr;
     };

@@ -12,13 +12,19 @@ constexpr double kNextBest = 0.4;        // of the best gain: tried if the best 
 // Of what the greatest cause explains: the law that a robot follows is only like that of the
 // catalogue, and null sets, made by the latter, know nothing of the difference.
 constexpr double kLawError = 0.003;
-// Of the same: something small that explains less is the last one, what would follow explains less.
+// Of what the greatest of its own family does: where that one's law is another, this one is the
+// likeliest to explain the difference. Seconds of hidden frictions of the tests' own laws explained
+// 0.7 to 2.2 % as much as the first, of two that were hidden 52 and 83 %.
+constexpr double kKinError = 0.05;
+// Of what the greatest does: something small that explains less is the last one, what would follow
+// explains less.
 constexpr double kTrifle = 0.03;
 // Of what is left: where two causes one after the other explain less, others would do no better.
 constexpr double kLittle = 0.2;
 constexpr double kUnchecked = 3;      // of the threshold: where it acts too briefly for any fold
 constexpr double kBorneOut = 0.5;     // of what a fit promises, by exact runs: free choice
 constexpr double kSharedPart = 0.15;  // of a number: half the width of a slope
+constexpr char kOffBy[] = "explains no more than what was found may itself be off by";
 constexpr char kEndOfRange[] = "fits best at the end of its range";
 constexpr double kExcited = 1;  // squared noise SDs of a look: else it cannot be judged
 
@@ -186,9 +192,7 @@ std::string JointSearch::objection(const Stage& stage, const Candidate& candidat
   const bool unchecked = validation.folds == 0 && candidate.gain > kUnchecked * critical();
   if (!validation.accepted() && !unchecked) return "does not predict data it was not fitted to";
   if (shareOf(stage, candidate.gain) < kSmallestShare) return "explains under 3 % of the misfit";
-  if (candidate.gain < kLawError * greatestGain()) {
-    return "explains no more than what was found may itself be off by";
-  }
+  if (candidate.gain < kLawError * greatestGain()) return kOffBy;
   if (isAtEnd({candidate.cause, candidate.x})) return kEndOfRange;
   if (causes_[candidate.cause].one_for_all &&
       others_.costOf(candidate.cause, candidate.x[0]) > kUnchecked * critical()) {
@@ -197,10 +201,25 @@ std::string JointSearch::objection(const Stage& stage, const Candidate& candidat
   return "";
 }
 
+// Of what is found or given, or of all of it: exact runs may go far beyond what fits by coarse
+// steps explain, an eighth of it of a damping 30 times the joint's own.
 double JointSearch::greatestGain() const {
   double greatest = std::max(0.0, given_gain_);
+  if (nominal_) {
+    const double all = half(nominal_->white(nominal_->raw()));
+    greatest = std::max(greatest, all - half(nominal_->white(stage_->raw())));
+  }
   for (const Accepted& one : accepted_) greatest = std::max(greatest, one.gain);
   return greatest;
+}
+
+// But where it frees the first one of its bound it is needed.
+bool JointSearch::mayBeKinsLaw(const Candidate& candidate) const {
+  const std::string& family = causes_[candidate.cause].family;
+  if (family.empty() || trying_) return false;
+  return std::any_of(accepted_.begin(), accepted_.end(), [&](const Accepted& one) {
+    return causes_[one.cause].family == family && candidate.gain < kKinError * one.gain;
+  });
 }
 
 bool JointSearch::newestIsTrifle() const {
@@ -254,6 +273,10 @@ bool JointSearch::acceptOneOf(std::vector<Candidate>& ranking) {
       candidates_.fitFinally(*stage_, candidate);
     }
     if (candidate.gain <= critical()) continue;
+    if (mayBeKinsLaw(candidate)) {  // of which the others explain less
+      reject(candidate.cause, candidate.gain, kOffBy);
+      return false;
+    }
     const auto validation = validated(candidate);
     if (validation && takeIfBorneOut(candidate, *validation, ranking)) return true;
     if (!validation && takeIfFreed(candidate, ranking)) return true;

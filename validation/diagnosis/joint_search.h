@@ -129,6 +129,7 @@ class JointSearch {
             const std::vector<Candidate>& ranking);
   bool step();
   double greatestGain() const;
+  bool mayBeKinsLaw(const Candidate& candidate) const;
   bool newestIsTrifle() const;
   bool newestTwoExplainLittle() const;
   bool newestIsSmall() const;

@@ -133,6 +133,23 @@ TEST(JointSearch, NamesNothingBesideAGivenCauseThatExplainsHundredsOfTimesAsMuch
   EXPECT_TRUE(search.conclude({}).named().empty());
 }
 
+// Beside a dry friction that explains 40 times as much a damping is as likely the first one's own
+// law, and so is what else would explain some of that.
+TEST(JointSearch, NamesNoSecondLawOfAFamilyThatTheFirstMayOnlyBeLike) {
+  Effort two = quick();
+  two.most_causes = 2;
+  ToyLaws laws;
+  laws.coulomb += 0.6;
+  laws.viscous += 0.2;
+  std::vector<Cause> causes = test::toyCauses();
+  const JointVerdict verdict = diagnose(laws, causes, two);
+  EXPECT_EQ(verdict.verdict, Verdict::PartlyExplained);
+  ASSERT_EQ(verdict.named().size(), 1u);
+  EXPECT_EQ(verdict.named()[0]->cause, "coulomb_friction");
+  for (Cause& cause : causes) cause.family.clear();
+  EXPECT_EQ(diagnose(laws, causes, two).named().size(), 2u);
+}
+
 // A tilt (2.7 % of what the offset explains) and a mass (1.1 %). If a tilt of that size is of no
 // interest, the mass is of none.
 TEST(JointSearch, SearchesNoFurtherThanATrifle) {
