@@ -72,7 +72,7 @@ struct Cause {
   double smallest_mean = 0;
   bool spread_beyond = false;  // so do the joints that this one carries, and it feels them
   bool of_link = false;        // of what hangs on the joint: all joints that carry the link feel it
-  /// Of laws that stand in for each other, "friction" or "give": what one of them leaves over of a
+  /// Of laws that stand in for each other, such as "friction": what one of them leaves over of a
   /// robot's own law another explains best. Empty: of none.
   std::string family{};
   std::string sentence;  // for the report, "{joint}" and "{value}" filled in

@@ -4,7 +4,6 @@
 // friction 10 %, gains 2 %, zero 0.1 degree at most, taken as uniform.
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "validation/diagnosis/causes.h"
 #include "validation/diagnosis/fold_search.h"
@@ -43,11 +42,6 @@ Cause forAll(Cause cause) {
 Cause byGrid(Cause cause) {
   cause.linear = false;
   return cause;
-}
-void makeFamily(const char* name, const std::set<std::string>& effects, std::vector<Cause>& all) {
-  for (Cause& cause : all) {
-    if (effects.count(cause.effect) > 0) cause.family = name;
-  }
 }
 // A part, all of which is a law as good as any.
 Cause wholly(Cause cause) {
@@ -97,6 +91,7 @@ void addFriction(std::vector<Cause>& all) {
                            "{joint} has {value} of friction in one direction only",
                            "rest after approaching a place from either side"),
                        "creep", {0, 0.01}));
+  for (Cause& friction : all) friction.family = "friction";
   all.push_back(one("torque_bias", "torque", {0.1}, "a constant torque of {value} acts on {joint}",
                     "the same motion with the base turned by 90 degrees"));
 }
@@ -259,11 +254,6 @@ const std::vector<Cause>& jointCauses() {
     addGear(all);
     addLoad(all);
     addTiming(all);
-    makeFamily("friction",
-               {"coulomb_friction", "viscous_friction", "stribeck_friction", "load_friction",
-                "friction_asymmetry"},
-               all);
-    makeFamily("give", {"backlash", "gear_compliance", "servo_deadband"}, all);
     const auto unknown = [](const Cause& cause) {
       return sim::standardEffects().find(cause.effect) == nullptr;
     };

@@ -13,8 +13,8 @@ constexpr double kNextBest = 0.4;        // of the best gain: tried if the best 
 // catalogue, and null sets, made by the latter, know nothing of the difference.
 constexpr double kLawError = 0.003;
 // Of what the greatest of its own family does: where that one's law is another, this one is the
-// likeliest to explain the difference. Seconds of hidden frictions of the tests' own laws explained
-// 0.7 to 2.2 % as much as the first, of two that were hidden 52 and 83 %.
+// likeliest to explain the difference. False seconds beside hidden frictions of other laws
+// explained 0.7 to 2.2 % as much as the first, of two that were hidden 52 and 83 %.
 constexpr double kKinError = 0.05;
 // Of what the greatest does: something small that explains less is the last one, what would follow
 // explains less.
@@ -201,19 +201,14 @@ std::string JointSearch::objection(const Stage& stage, const Candidate& candidat
   return "";
 }
 
-// Of what is found or given, or of all of it: exact runs may go far beyond what fits by coarse
-// steps explain, an eighth of it of a damping 30 times the joint's own.
 double JointSearch::greatestGain() const {
   double greatest = std::max(0.0, given_gain_);
-  if (nominal_) {
-    const double all = half(nominal_->white(nominal_->raw()));
-    greatest = std::max(greatest, all - half(nominal_->white(stage_->raw())));
-  }
   for (const Accepted& one : accepted_) greatest = std::max(greatest, one.gain);
   return greatest;
 }
 
-// But where it frees the first one of its bound it is needed.
+// Whether a second law of a family may be what the first one's own lacks. But where it frees that
+// one of its bound it is needed.
 bool JointSearch::mayBeKinsLaw(const Candidate& candidate) const {
   const std::string& family = causes_[candidate.cause].family;
   if (family.empty() || trying_) return false;
