@@ -4,7 +4,7 @@
 
 #include "app/commands.h"
 #include "app/source_paths.h"
-#include "validation/diagnosis/cause_list.h"
+#include "validation/diagnosis/causes/cause_list.h"
 
 namespace nao::app {
 namespace {

@@ -1,4 +1,4 @@
-#include "validation/diagnosis/extension.h"
+#include "validation/diagnosis/extend/extension.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -6,9 +6,9 @@
 
 #include "app/commands.h"
 #include "app/source_paths.h"
-#include "validation/diagnosis/empirical.h"
-#include "validation/diagnosis/merge_effects.h"
-#include "validation/diagnosis/report_file.h"
+#include "validation/diagnosis/extend/empirical.h"
+#include "validation/diagnosis/report/report_file.h"
+#include "validation/diagnosis/rig/merge_effects.h"
 #include "validation/log/log_robots.h"
 
 namespace nao::app {

@@ -1,4 +1,4 @@
-#include "validation/diagnosis/gain.h"
+#include "validation/diagnosis/extend/gain.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>

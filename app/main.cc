@@ -6,8 +6,8 @@
 
 // Exit codes: 0 done, 1 something failed on the way, 2 the user asked for something impossible,
 // 3 a motion was played, but parts of its file could not be read, 10 to 13 a diagnosis did not end
-// with "no discrepancy" (validation/diagnosis/verdict.h), 20 recorded data have faults. `run` ends
-// with the exit code of its program.
+// with "no discrepancy" (validation/diagnosis/causes/verdict.h), 20 recorded data have faults.
+// `run` ends with the exit code of its program.
 int main(int argc, char** argv) {
   CLI::App app("UsarNaoQi: a simulated Nao that speaks the Nao's own protocols.", "usarnaoqi");
   app.require_subcommand(1);

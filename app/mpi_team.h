@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "validation/diagnosis/team.h"
+#include "validation/diagnosis/work/team.h"
 
 namespace nao::app {
 

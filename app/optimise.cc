@@ -1,4 +1,4 @@
-#include "validation/diagnosis/optimise.h"
+#include "validation/diagnosis/extend/optimise.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -6,9 +6,9 @@
 
 #include "app/commands.h"
 #include "app/source_paths.h"
-#include "validation/diagnosis/extension.h"
-#include "validation/diagnosis/whole_optimise.h"
-#include "validation/diagnosis/whole_simulator.h"
+#include "validation/diagnosis/extend/extension.h"
+#include "validation/diagnosis/extend/whole_optimise.h"
+#include "validation/diagnosis/replay/whole_simulator.h"
 #include "validation/log/log_robots.h"
 
 namespace nao::app {

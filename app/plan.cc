@@ -4,8 +4,8 @@
 
 #include "app/commands.h"
 #include "app/source_paths.h"
-#include "validation/diagnosis/next_experiment.h"
-#include "validation/diagnosis/report_file.h"
+#include "validation/diagnosis/extend/next_experiment.h"
+#include "validation/diagnosis/report/report_file.h"
 
 namespace nao::app {
 namespace {

@@ -6,7 +6,7 @@
 #include "app/commands.h"
 #include "app/replay_run.h"
 #include "app/source_paths.h"
-#include "validation/diagnosis/replay_set.h"
+#include "validation/diagnosis/extend/replay_set.h"
 #include "validation/log/error_map.h"
 #include "validation/log/log_robots.h"
 

@@ -103,6 +103,43 @@ TEST(Architecture, FoldersIncludeOnlyFoldersBelowThem) {
   }
 }
 
+// The rooms of validation/diagnosis. Read them downwards: a room only names rooms above it.
+const std::vector<std::string> kDiagnosisRooms = {
+    "maths",     // numbers alone
+    "work",      // shared among threads and processes, kept for a diagnosis that was cut off
+    "ensemble",  // measured and simulated repeats, and their noise
+    "rig",       // one joint, or a limb, simulated
+    "causes",    // what can be named, and what is said of it
+    "replay",    // the whole robot, simulated along a recording
+    "joint",     // the search at the joint level
+    "folds",     // the same without repeats
+    "report",    // what a person reads
+    "whole",     // the search at the limb and robot levels
+    "extend",    // what a report is good for: extension, gain, next experiment
+};
+
+std::size_t placeOfRoom(const std::string& room) {
+  const auto found = std::find(kDiagnosisRooms.begin(), kDiagnosisRooms.end(), room);
+  return static_cast<std::size_t>(found - kDiagnosisRooms.begin());
+}
+
+TEST(Architecture, RoomsOfTheDiagnosisIncludeOnlyRoomsAboveThem) {
+  const std::regex in_room("validation/diagnosis/(\\w+)/.*");
+  std::set<std::string> seen;
+  for (const auto& [folder, file, included] : allIncludes()) {
+    const std::string name = file.lexically_relative(NAO_SOURCE_DIR).generic_string();
+    std::smatch of_file, of_included;
+    if (!std::regex_match(name, of_file, in_room)) continue;
+    const std::size_t own = placeOfRoom(of_file.str(1));
+    EXPECT_LT(own, kDiagnosisRooms.size()) << name << " is in a room that is not listed";
+    seen.insert(of_file.str(1));
+    if (included.rfind("validation/diagnosis/", 0) != 0) continue;
+    ASSERT_TRUE(std::regex_match(included, of_included, in_room)) << name << ", " << included;
+    EXPECT_LE(placeOfRoom(of_included.str(1)), own) << name << " includes " << included;
+  }
+  EXPECT_EQ(seen.size(), kDiagnosisRooms.size());
+}
+
 TEST(Architecture, LibrariesStayInTheirFolders) {
   for (const auto& [folder, file, included] : allIncludes()) {
     for (const auto& [library, homes] : kOnlyHere) {
@@ -126,10 +163,10 @@ const std::set<std::string> kMayReadTheWall = {
     "clock",
     "daemon",
     "naoqi_api/sdk/cpp",
-    "naoqi_api/wire/dispatcher.cc",              // what a call costs
-    "validation/process.cc",                     // what a process takes
-    "validation/diagnosis/joint_level.cc",       // what a run costs, for a budget
-    "validation/diagnosis/whole_diagnosis.cc"};  // the same
+    "naoqi_api/wire/dispatcher.cc",                    // what a call costs
+    "validation/process.cc",                           // what a process takes
+    "validation/diagnosis/joint_level.cc",             // what a run costs, for a budget
+    "validation/diagnosis/whole/whole_diagnosis.cc"};  // the same
 
 bool mayReadTheWall(const fs::path& file) {
   return std::any_of(kMayReadTheWall.begin(), kMayReadTheWall.end(), [&](const std::string& place) {

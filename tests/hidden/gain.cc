@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "tests/hidden/trial.h"
-#include "validation/diagnosis/merge_effects.h"
-#include "validation/diagnosis/replay.h"
-#include "validation/diagnosis/rig_simulator.h"
+#include "validation/diagnosis/replay/replay.h"
+#include "validation/diagnosis/rig/merge_effects.h"
+#include "validation/diagnosis/rig/rig_simulator.h"
 #include "validation/suspended.h"
 
 namespace nao::hidden {

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "validation/diagnosis/verdict.h"
+#include "validation/diagnosis/causes/verdict.h"
 
 namespace nao::hidden {
 

@@ -10,7 +10,7 @@
 #include "tests/hidden/mujoco/recording.h"
 #include "tests/hidden/response.h"
 #include "tests/hidden/scaling.h"
-#include "validation/diagnosis/merge_effects.h"
+#include "validation/diagnosis/rig/merge_effects.h"
 #include "validation/log/simulated_recording.h"
 #include "validation/suspended.h"
 

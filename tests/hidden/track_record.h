@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "validation/diagnosis/verdict_record.h"
+#include "validation/diagnosis/report/verdict_record.h"
 
 namespace nao::hidden {
 

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "core/check.h"
-#include "validation/diagnosis/diagnose_folds.h"
-#include "validation/diagnosis/packed.h"
-#include "validation/diagnosis/prepared_set.h"
+#include "validation/diagnosis/folds/diagnose_folds.h"
+#include "validation/diagnosis/joint/prepared_set.h"
+#include "validation/diagnosis/work/packed.h"
 #include "validation/log/log_robots.h"
 
 namespace nao::validation {

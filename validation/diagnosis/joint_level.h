@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "validation/diagnosis/examined_joint.h"
-#include "validation/diagnosis/verdict_record.h"
+#include "validation/diagnosis/report/examined_joint.h"
+#include "validation/diagnosis/report/verdict_record.h"
 #include "validation/log/robot_log.h"
 
 namespace nao::validation {

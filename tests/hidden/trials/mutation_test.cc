@@ -6,8 +6,8 @@
 
 #include "tests/hidden/hidden_set.h"
 #include "tests/support/models.h"
-#include "validation/diagnosis/diagnose.h"
-#include "validation/diagnosis/prepared_set.h"
+#include "validation/diagnosis/joint/diagnose.h"
+#include "validation/diagnosis/joint/prepared_set.h"
 
 namespace nao::hidden {
 namespace {

@@ -8,9 +8,9 @@
 #include "tests/hidden/hidden_set.h"
 #include "tests/hidden/laws/laws.h"
 #include "tests/support/models.h"
-#include "validation/diagnosis/diagnose.h"
-#include "validation/diagnosis/prepared_set.h"
-#include "validation/diagnosis/whole_diagnosis.h"
+#include "validation/diagnosis/joint/diagnose.h"
+#include "validation/diagnosis/joint/prepared_set.h"
+#include "validation/diagnosis/whole/whole_diagnosis.h"
 #include "validation/log/simulated_recording.h"
 #include "validation/suspended.h"
 

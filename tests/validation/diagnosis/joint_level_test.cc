@@ -10,9 +10,9 @@
 #include "core/check.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/support/models.h"
-#include "validation/diagnosis/diagnosis_json.h"
-#include "validation/diagnosis/diagnosis_page.h"
-#include "validation/diagnosis/extension.h"
+#include "validation/diagnosis/extend/extension.h"
+#include "validation/diagnosis/report/diagnosis_json.h"
+#include "validation/diagnosis/report/diagnosis_page.h"
 #include "validation/log/simulated_recording.h"
 #include "validation/suspended.h"
 

@@ -10,8 +10,8 @@
 
 #include "core/random.h"
 #include "sim/effects/catalogue.h"
-#include "validation/diagnosis/candidate_fit.h"
-#include "validation/diagnosis/joint_data.h"
+#include "validation/diagnosis/ensemble/joint_data.h"
+#include "validation/diagnosis/joint/candidate_fit.h"
 
 namespace nao::validation::test {
 

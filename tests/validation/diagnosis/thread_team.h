@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "validation/diagnosis/team.h"
+#include "validation/diagnosis/work/team.h"
 
 namespace nao::validation::test {
 

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "core/random.h"
-#include "validation/diagnosis/causes.h"
-#include "validation/diagnosis/joint_simulator.h"
-#include "validation/diagnosis/led_joint.h"
-#include "validation/diagnosis/run_noise.h"
+#include "validation/diagnosis/causes/causes.h"
+#include "validation/diagnosis/ensemble/joint_simulator.h"
+#include "validation/diagnosis/rig/led_joint.h"
+#include "validation/diagnosis/rig/run_noise.h"
 
 namespace nao::validation::test {
 

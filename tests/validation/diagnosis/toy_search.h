@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tests/validation/diagnosis/toy_joint.h"
-#include "validation/diagnosis/joint_search.h"
+#include "validation/diagnosis/joint/joint_search.h"
 
 // Searches for what is wrong with a ToyJoint.
 namespace nao::validation::test {

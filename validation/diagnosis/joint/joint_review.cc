@@ -1,0 +1,160 @@
+// Accepted causes seen again: against rivals for their place, and whether they are needed.
+#include <algorithm>
+#include <utility>
+
+#include "validation/diagnosis/joint/confusion.h"
+#include "validation/diagnosis/joint/exact_slopes.h"
+#include "validation/diagnosis/joint/joint_search.h"
+
+namespace nao::validation {
+namespace {
+
+constexpr double kSwap = 0.01;  // of the gain: what a rival must be better by
+constexpr double kNear = 2;     // [SD of the measured mean] over so short a way slopes hold
+
+// Two directions of one effect, such as x and y of a tilt: no rivals, one name.
+bool samePlace(const Cause& a, const Cause& b) {
+  return a.effect == b.effect && a.id.rfind(a.effect + ".", 0) == 0 &&
+         b.id.rfind(b.effect + ".", 0) == 0;
+}
+
+bool isTooSmall(const Cause& cause, double x) { return std::abs(x) < cause.free[0].smallest; }
+
+}  // namespace
+
+void JointSearch::setRivals(std::size_t place, const std::vector<Candidate>& ranking,
+                            const Stage& stage) {
+  Accepted& chosen = accepted_[place];
+  chosen.rivals.clear();
+  chosen.confusion = confusionAmong(ranking, stage);
+  const auto own = std::find_if(ranking.begin(), ranking.end(),
+                                [&](const Candidate& c) { return c.cause == chosen.cause; });
+  if (own == ranking.end()) return;
+  for (const Candidate& rival : ranking) {
+    if (rival.cause == chosen.cause || isTooSmall(causes_[rival.cause], rival.x[0])) continue;
+    if (own->weighed && !rival.weighed) continue;  // was too far off to be weighed
+    if (rival.gain < own->gain - reachOf(*own, rival, critical())) continue;
+    if (samePlace(causes_[rival.cause], causes_[chosen.cause])) continue;
+    chosen.rivals.push_back(rival);
+  }
+}
+
+Confusion JointSearch::confusionAmong(const std::vector<Candidate>& ranking,
+                                      const Stage& stage) const {
+  std::vector<Fitted> fitted;
+  for (const Candidate& one : ranking) {
+    if (one.full) fitted.push_back({causes_[one.cause].id, stage.white(one.fit.change)});
+  }
+  std::vector<Eigen::VectorXd> nulls;
+  for (const Eigen::VectorXd& null : stage.nulls()) nulls.push_back(stage.white(null));
+  return confusionOf(fitted, nulls);
+}
+
+// Each cause competes again with all others for its place beside the rest of the model.
+bool JointSearch::review() {
+  bool changed = false;
+  // One place after the other: a change puts the new cause last, so that each is seen once.
+  std::size_t place = 0;
+  for (std::size_t left = accepted_.size(); left > 0 && accepted_.size() > 1; --left) {
+    if (ensemble_.spent()) break;
+    if (reviewOne(place)) {
+      changed = true;
+    } else {
+      ++place;
+    }
+  }
+  return changed;
+}
+
+bool JointSearch::reviewOne(std::size_t place) {
+  Eigen::MatrixXd jacobian(data_.size(), 0);
+  for (std::size_t i = 0, column = 0; i < fit_.model.size(); ++i) {
+    const auto n = static_cast<Eigen::Index>(fit_.model[i].x.size());
+    if (i != place) {
+      const Eigen::Index before = jacobian.cols();
+      jacobian.conservativeResize(Eigen::NoChange, before + n);
+      jacobian.rightCols(n) = fit_.jacobian.middleCols(static_cast<Eigen::Index>(column), n);
+    }
+    column += static_cast<std::size_t>(n);
+  }
+  const auto without = std::make_unique<Stage>(*stage_, place, jacobian);
+  std::vector<Candidate> ranking = candidates_.rankedAgain(*without, critical(), fit_.model[place]);
+  candidates_.weigh(*without, byChance(), ranking);
+  const std::size_t cause = accepted_[place].cause;
+  const auto own = std::find_if(ranking.begin(), ranking.end(),
+                                [&](const Candidate& c) { return c.cause == cause; });
+  const double own_gain = own == ranking.end() ? 0 : own->gain;
+  const double best_gain = ranking.empty() ? 0 : ranking.front().gain;
+  if (std::max(own_gain, best_gain) <= critical()) return goesWithout(place, own_gain, *without);
+  if (best_gain > own_gain + std::max(2.0, kSwap * own_gain)) {
+    Candidate best = ranking.front();
+    if (!best.full) candidates_.fitFinally(*without, best);
+    if (best.gain > own_gain + std::max(2.0, kSwap * own_gain)) {
+      swap(place, own_gain, *without, best, ranking);
+      return true;
+    }
+  }
+  accepted_[place].gain = own_gain;
+  setRivals(place, ranking, *without);
+  return false;
+}
+
+// Drops a cause that nothing misses by its sensitivities, unless exact runs do.
+bool JointSearch::goesWithout(std::size_t place, double gain, const Stage& without) {
+  const double before = excess();
+  Snapshot whole = snapshot();
+  enterModel(fitFully(ensemble_, data_, without, causes_, without.model(), effort_));
+  if (excess() > before + std::max(2 * critical(), kSwap * accepted_[place].gain)) {
+    restore(std::move(whole));
+    return false;
+  }
+  drop(place, gain, "no longer needed beside the others");
+  return true;
+}
+
+// Half the squares that are left, over what null sets leave.
+double JointSearch::excess() const {
+  return stage_->white(stage_->raw()).squaredNorm() / 2 - byChance().left;
+}
+
+void JointSearch::drop(std::size_t place, double gain, const std::string& reason) {
+  dropped_.insert(accepted_[place].cause);
+  reject(accepted_[place].cause, gain, reason);
+  accepted_.erase(accepted_.begin() + static_cast<std::ptrdiff_t>(place));
+}
+
+void JointSearch::swap(std::size_t place, double gain, const Stage& without, const Candidate& best,
+                       const std::vector<Candidate>& ranking) {
+  Accepted swapped{best.cause,
+                   best.gain,
+                   accepted_[place].share,
+                   crossValidate(data_, without, best.fit, best.x.size()),
+                   {},
+                   {}};
+  drop(place, gain, "explained better by " + causes_[best.cause].id);
+  accepted_.push_back(swapped);
+  setRivals(accepted_.size() - 1, ranking, without);
+  enterModel(best.fit);
+}
+
+// The last numbers, and their intervals, are by exact runs alone.
+void JointSearch::refine() {
+  left_ = stage_->raw();
+  if (fit_.model.empty() || ensemble_.spent()) return;
+  fit_.model = stage_->model();  // where its residual was taken
+  setExactSlopes(ensemble_, causes_, effort_.slope_runs, *stage_, fit_);
+  const Eigen::VectorXd start = columnOf(fit_.model);
+  moveNumbers(fit_, stage_->raw(), *stage_, causes_);
+  const Eigen::VectorXd change = fit_.jacobian * (columnOf(fit_.model) - start);
+  if (stage_->whitenFit(change).norm() < kNear) {
+    left_ -= change;
+    return;
+  }
+  const RunPool pool = ensemble_.pool(settingsOf(causes_, fit_.model), effort_.base_runs);
+  left_ = data_.mean() - pool.mean;
+  const Eigen::VectorXd before = columnOf(fit_.model);
+  moveNumbers(fit_, left_, *stage_, causes_);
+  left_ -= fit_.jacobian * (columnOf(fit_.model) - before);
+}
+
+}  // namespace nao::validation

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "validation/diagnosis/joint/candidate_fit.h"
+#include "validation/diagnosis/joint/stage.h"
+
+namespace nao::validation {
+
+/// The place of the one cause whose number is as large as its smallest size of interest; none if
+/// there are several or there is none.
+std::optional<std::size_t> onlyOneOfInterest(const CauseList& model,
+                                             const std::vector<Cause>& causes);
+/// The first number of one cause alone, with its slope: all others stay as they are.
+ModelFit sizeOf(const ModelFit& fit, std::size_t place);
+
+/// By how much the numbers of a fit may be off, a row per null set, a column per number.
+/// What they would have come out as in each null set: one Gauss-Newton step with the sensitivities
+/// of the fit.
+Eigen::MatrixXd reestimated(const Stage& stage, const ModelFit& fit);
+
+/// Beyond chance: what is wrong otherwise draws each motion's numbers its own way. `left`: the raw
+/// residual at the fit.
+void addDisagreement(const JointData& data, const Stage& stage, const ModelFit& fit,
+                     const Eigen::VectorXd& left, Eigen::MatrixXd& moves);
+
+/// A joint that rests reads one count all along, at a stop in motion after motion: rounding is one
+/// error there, not one per sample. How far it is from one place of rest to the next, `angle`
+/// tells, a prediction that no encoder rounds; where between two counts any of them lies nobody
+/// knows, nor where a model's does that reads the same: of both sawteeth, smeared by how the joint
+/// shakes, the phase is drawn.
+void addRounding(const JointData& data, const Stage& stage, const ModelFit& fit,
+                 const Eigen::VectorXd& angle, Eigen::MatrixXd& moves);
+
+/// What equal robots differ by in the numbers themselves, and what laws leave out.
+void addSpread(const std::vector<Cause>& causes, const CauseList& model, Eigen::MatrixXd& moves);
+
+}  // namespace nao::validation

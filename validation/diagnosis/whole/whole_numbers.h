@@ -1,0 +1,26 @@
+#pragma once
+
+#include "validation/diagnosis/whole/whole_fit.h"
+
+namespace nao::validation {
+
+/// How far the numbers of a model fitted to whole robots may be off: a column per null set of its
+/// stage, a row per number, what is to be taken off the number. In it are chance, of the
+/// measurement and of as few runs as were simulated; what equal robots differ by otherwise (the
+/// null sets have it) and in the numbers themselves; and, as far as signals disagree about the
+/// numbers by more than in null sets, that: what the model lacks makes each want another number.
+Eigen::MatrixXd drawNumbers(const WholeTask& task, const WholeStage& stage, const WholeFit& fit);
+
+/// To where the many runs of a model's own stage ask its numbers to be: its fit was made by few.
+struct WholeStep {
+  WholeModel to;
+  double length = 0;  // [SD of what chance makes of it] of the number that moves most by that
+};
+/// Chance is within this length, a fit that went astray is not.
+inline constexpr double kByChance = 4;
+WholeStep stepOf(const WholeTask& task, const WholeStage& stage, const WholeFit& fit);
+
+/// Takes that step if it is no further than chance goes.
+void refine(const WholeTask& task, const WholeStage& stage, WholeFit& fit);
+
+}  // namespace nao::validation

@@ -1,0 +1,14 @@
+#include "validation/diagnosis/work/kept_runs.h"
+
+#include "validation/diagnosis/work/packed.h"
+#include "validation/log/file_hash.h"
+
+namespace nao::validation {
+
+WholePool KeptRuns::remember(const std::string& what,
+                             const std::function<WholePool()>& simulate) const {
+  if (!kept_.keeps()) return simulate();
+  return unpack<WholePool>(kept_.remember(sha256Of(what), [&] { return pack(simulate()); }));
+}
+
+}  // namespace nao::validation

@@ -1,0 +1,11 @@
+#include "validation/diagnosis/work/kept_runs.h"
+#include "validation/diagnosis/work/packed_as.h"
+
+namespace nao::validation {
+
+NAO_PACKED(long)
+NAO_PACKED(double)
+NAO_PACKED(std::vector<double>)
+NAO_PACKED(WholePool)
+
+}  // namespace nao::validation
