@@ -1,11 +1,11 @@
 #include "validation/diagnosis/ensemble/noise_modes.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "validation/diagnosis/ensemble/joint_data.h"
+#include "validation/diagnosis/maths/thin_svd.h"
 
 namespace nao::validation {
 namespace {
@@ -40,14 +40,14 @@ NoiseModes findNoiseModes(const RunPool& pool, double worth, const JointData& da
   for (std::size_t i = 0; i < data.spans().size(); ++i) {
     const MotionSpan& span = data.spans()[i];
     const MatrixXd deviations = deviationsOf(pool, span, i, sd);
-    const Eigen::BDCSVD<MatrixXd> svd(deviations, Eigen::ComputeThinU);
-    const VectorXd variance = svd.singularValues().cwiseAbs2();
+    const ThinSvd svd = calcSvd(deviations);
+    const VectorXd variance = svd.values.cwiseAbs2();
     const double usual = median(variance);
     VectorXd beside = deviations.rowwise().squaredNorm();
     const double two_means = 1 + static_cast<double>(span.repeats) / worth;
     for (Index k = 0; k < std::min(kMost, variance.size()); ++k) {
       if (variance[k] < kStands * usual) break;
-      const VectorXd mode = svd.matrixU().col(k);
+      const VectorXd mode = svd.left.col(k);
       beside -= variance[k] * mode.cwiseAbs2();
       VectorXd column = VectorXd::Zero(data.size());
       column.segment(span.offset, span.size()) =

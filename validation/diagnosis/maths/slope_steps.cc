@@ -1,9 +1,9 @@
 #include "validation/diagnosis/maths/slope_steps.h"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 
 #include "core/check.h"
+#include "validation/diagnosis/maths/thin_svd.h"
 
 namespace nao::validation {
 namespace {
@@ -16,17 +16,17 @@ constexpr double kRank = 1e-9;       // of the largest singular value
 SlopeSteps::SlopeSteps(const Eigen::MatrixXd& slopes, const Eigen::MatrixXd& chance) {
   NAO_CHECK(slopes.rows() == chance.rows() && slopes.cols() == chance.cols());
   if (slopes.cols() == 0) return;
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(slopes, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const Eigen::VectorXd& size = svd.singularValues();
+  const ThinSvd svd = calcSvd(slopes, Right::Wanted);
+  const Eigen::VectorXd& size = svd.values;
   Eigen::Index rank = 0;
   while (rank < size.size() && size[rank] > kRank * size[0]) ++rank;
-  basis_ = svd.matrixU().leftCols(rank);
+  basis_ = svd.left.leftCols(rank);
   if (rank == 0) {  // numbers that change nothing move nowhere
     numbers_.setZero(slopes.cols(), 0);
     return;
   }
   const Eigen::MatrixXd inverse =
-      svd.matrixV().leftCols(rank) * size.head(rank).cwiseInverse().asDiagonal();
+      svd.right.leftCols(rank) * size.head(rank).cwiseInverse().asDiagonal();
   // In these coordinates the slopes' squares are the identity, the chance's a part of it.
   const Eigen::MatrixXd part = chance * inverse;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(part.transpose() * part);

@@ -1,6 +1,6 @@
 #include "validation/diagnosis/maths/whitening.h"
 
-#include <Eigen/SVD>
+#include "validation/diagnosis/maths/thin_svd.h"
 
 namespace nao::validation {
 
@@ -9,9 +9,9 @@ Whitening::Whitening(const Eigen::VectorXd& sd, const Eigen::MatrixXd& direction
   if (directions.cols() == 0) return;
   // C = I + U U^T = I + B S^2 B^T, hence C^(-1/2) = I - B (1 - (1 + S^2)^(-1/2)) B^T.
   const Eigen::MatrixXd scaled_directions = scale_.asDiagonal() * directions;
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(scaled_directions, Eigen::ComputeThinU);
-  basis_ = svd.matrixU();
-  shrink_ = 1 - (1 + svd.singularValues().array().square()).rsqrt();
+  const ThinSvd svd = calcSvd(scaled_directions);
+  basis_ = svd.left;
+  shrink_ = 1 - (1 + svd.values.array().square()).rsqrt();
 }
 
 Eigen::VectorXd Whitening::scaled(const Eigen::VectorXd& residual) const {

@@ -1,10 +1,10 @@
 #include "validation/diagnosis/whole/whole_noise.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
 #include "validation/diagnosis/maths/moving_mean.h"
+#include "validation/diagnosis/maths/thin_svd.h"
 #include "validation/diagnosis/whole/whole_scatter.h"
 
 namespace nao::validation {
@@ -92,10 +92,10 @@ void WholeNoise::addBlock(const WholeData& data, const WholePool& pool, std::siz
   }
   scale = scale.cwiseSqrt();
   const Eigen::MatrixXd scaled = scale.cwiseInverse().asDiagonal() * simulated;
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const Eigen::Index count = std::min(kDirections, svd.singularValues().size() / 2);
-  const Eigen::MatrixXd together = scale.asDiagonal() * svd.matrixU().leftCols(count) *
-                                   svd.singularValues().head(count).asDiagonal();
+  const ThinSvd svd = calcSvd(scaled, Right::Wanted);
+  const Eigen::Index count = std::min(kDirections, svd.values.size() / 2);
+  const Eigen::MatrixXd together =
+      scale.asDiagonal() * svd.left.leftCols(count) * svd.values.head(count).asDiagonal();
   for (Eigen::Index i = 0; i < count; ++i) {
     Eigen::VectorXd direction = Eigen::VectorXd::Zero(data.size());
     direction.segment(at, scaled.rows()) = of_mean / std::sqrt(columns) * together.col(i);
@@ -104,7 +104,7 @@ void WholeNoise::addBlock(const WholeData& data, const WholePool& pool, std::siz
   // Each direction takes a run's worth of scatter with it.
   const double free = columns - 1, left = std::max(1.0, free - static_cast<double>(count));
   addRest(groups, at, of_mean * std::sqrt(free / left),
-          simulated - together * svd.matrixV().leftCols(count).transpose());
+          simulated - together * svd.right.leftCols(count).transpose());
 }
 
 void WholeNoise::addRest(const std::vector<FeatureGroup>& groups, Eigen::Index at, double of_mean,
