@@ -26,8 +26,9 @@ const std::vector<double> kZeros{0.01, 0.05, -0.05};  // [rad]
 // Of the torque of a joint or a limb: motors are strong, a leg may walk on with a tenth of it.
 const std::vector<double> kWeak{-0.3, -0.6, -0.85};
 
-// Of the gain of a joint that bears a robot: with play in its gear a little more shows nothing.
-const std::vector<double> kGains{0.2, -0.6};
+// Of gains of what bears a robot, a joint's or those of many: with play in its gear a little more
+// shows nothing.
+const std::vector<double> kGains{0.2, -0.6}, kManyGains{0.2, -0.3};
 
 using Ids = std::vector<const char*>;
 
@@ -117,8 +118,8 @@ class Builder {
     const std::size_t most = joints.empty() ? kStartsEverywhere : kStartsSomewhere;
     if (starts.size() > most) starts.resize(most);
     if (cause.id == "torque_limit" && !joints.empty()) starts = kWeak;
-    if (cause.id == "kp_error" && joints.size() == 1 && !hangs_) {
-      starts = kGains;
+    if (cause.id == "kp_error" && !hangs_) {
+      starts = joints.size() == 1 ? kGains : kManyGains;
       all_.back().cause.gross = true;
     }
   }
