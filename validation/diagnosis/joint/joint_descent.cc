@@ -17,15 +17,19 @@ constexpr double kWorthAStep = 0.1;  // of what is left beyond chance: less is n
 }  // namespace
 
 // Coarse runs choose directions badly where a joint sticks or is at a limit, and bend the valley
-// that the numbers are in.
+// that the numbers are in. Of further causes, most of which stand in for a law of no catalogue,
+// clocks alone, and what is beside them.
 void JointSearch::descend() {
+  bool by_clock = false;
   for (int round = 0; round < kRounds && !ensemble_.spent(); ++round) {
     const ByChance chance = byChance();
     const double left = stage_->white(stage_->raw()).squaredNorm() / 2;
     if (left < chance.most_left + chance.critical) return;
     std::optional<ModelFit> next;
     if (round == 0) next = nextByClock();
-    if (!next) next = nextByExactRuns();
+    const bool settles = next.has_value();
+    by_clock = by_clock || settles;
+    if (!next && (by_clock || accepted_.size() == 1)) next = nextByExactRuns();
     if (!next) return;
     Snapshot before = snapshot();
     fit_ = *next;
@@ -34,7 +38,8 @@ void JointSearch::descend() {
     if (stage_->white(stage_->raw()).squaredNorm() / 2 > left) {
       return restore(std::move(before));
     }
-    moveNumbers(fit_, stage_->raw(), *stage_, causes_);
+    // Slopes beside another clock lead nowhere.
+    if (!settles) moveNumbers(fit_, stage_->raw(), *stage_, causes_);
   }
 }
 

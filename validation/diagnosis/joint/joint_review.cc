@@ -1,5 +1,6 @@
 // Accepted causes seen again: against rivals for their place, and whether they are needed.
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "validation/diagnosis/joint/confusion.h"
@@ -10,7 +11,9 @@ namespace nao::validation {
 namespace {
 
 constexpr double kSwap = 0.01;  // of the gain: what a rival must be better by
-constexpr double kNear = 2;     // [SD of the measured mean] over so short a way slopes hold
+// Of what it explained beside the others: who explains as much beside its successor was no rival.
+constexpr double kComesBack = 0.5;
+constexpr double kNear = 2;  // [SD of the measured mean] over so short a way slopes hold
 
 // Two directions of one effect, such as x and y of a tilt: no rivals, one name.
 bool samePlace(const Cause& a, const Cause& b) {
@@ -90,8 +93,7 @@ bool JointSearch::reviewOne(std::size_t place) {
     Candidate best = ranking.front();
     if (!best.full) candidates_.fitFinally(*without, best);
     if (best.gain > own_gain + std::max(2.0, kSwap * own_gain)) {
-      swap(place, own_gain, *without, best, ranking);
-      return true;
+      return swaps(place, own_gain, *without, best, ranking);
     }
   }
   accepted_[place].gain = own_gain;
@@ -101,15 +103,23 @@ bool JointSearch::reviewOne(std::size_t place) {
 
 // Drops a cause that nothing misses by its sensitivities, unless exact runs do.
 bool JointSearch::goesWithout(std::size_t place, double gain, const Stage& without) {
-  const double before = excess();
-  Snapshot whole = snapshot();
-  enterModel(fitFully(ensemble_, data_, without, causes_, without.model(), effort_));
-  if (excess() > before + std::max(2 * critical(), kSwap * accepted_[place].gain)) {
-    restore(std::move(whole));
+  if (!entersAsWell(fitFully(ensemble_, data_, without, causes_, without.model(), effort_),
+                    accepted_[place].gain)) {
     return false;
   }
   drop(place, gain, "no longer needed beside the others");
   return true;
+}
+
+// Enters a model in the place of the one so far, unless exact runs with it leave more: what a cause
+// of this gain may.
+bool JointSearch::entersAsWell(const ModelFit& fit, double gain) {
+  const double before = excess();
+  Snapshot whole = snapshot();
+  enterModel(fit);
+  if (excess() <= before + std::max(2 * critical(), kSwap * gain)) return true;
+  restore(std::move(whole));
+  return false;
 }
 
 // Half the squares that are left, over what null sets leave.
@@ -118,23 +128,27 @@ double JointSearch::excess() const {
 }
 
 void JointSearch::drop(std::size_t place, double gain, const std::string& reason) {
-  dropped_.insert(accepted_[place].cause);
+  dropped_[accepted_[place].cause] = std::numeric_limits<double>::infinity();
   reject(accepted_[place].cause, gain, reason);
   accepted_.erase(accepted_.begin() + static_cast<std::ptrdiff_t>(place));
 }
 
-void JointSearch::swap(std::size_t place, double gain, const Stage& without, const Candidate& best,
-                       const std::vector<Candidate>& ranking) {
+// If exact runs refuse the best, coarse ones can not judge this place: all is left as it was.
+bool JointSearch::swaps(std::size_t place, double gain, const Stage& without, const Candidate& best,
+                        const std::vector<Candidate>& ranking) {
+  if (!entersAsWell(best.fit, accepted_[place].gain)) return false;
   Accepted swapped{best.cause,
                    best.gain,
                    accepted_[place].share,
                    crossValidate(data_, without, best.fit, best.x.size()),
                    {},
                    {}};
+  const std::size_t cause = accepted_[place].cause;
   drop(place, gain, "explained better by " + causes_[best.cause].id);
+  if (gain > critical()) dropped_[cause] = kComesBack * gain;
   accepted_.push_back(swapped);
   setRivals(accepted_.size() - 1, ranking, without);
-  enterModel(best.fit);
+  return true;
 }
 
 // The last numbers, and their intervals, are by exact runs alone.

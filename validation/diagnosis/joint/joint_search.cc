@@ -144,13 +144,20 @@ void JointSearch::enter(std::unique_ptr<Stage> stage) {
 }
 
 // Fits are made of coarse steps: Gauss-Newton steps with exact runs correct their numbers, a rough
-// one before the comparison and a last one by it.
+// one before the comparison, unless it leads nowhere good, and a last one by it.
 void JointSearch::enterModel(const ModelFit& fit) {
   fit_ = fit;
   if (fit_.model.empty()) return enter(stageOf({}, fit_.jacobian));
   const RunPool pool = ensemble_.pool(settingsOf(causes_, fit_.model), effort_.brief_runs);
-  moveNumbers(fit_, data_.mean() - pool.mean, *stage_, causes_);
-  enter(stageOf(fit_.model, fit_.jacobian));
+  const Eigen::VectorXd unmoved = data_.mean() - pool.mean;
+  moveNumbers(fit_, unmoved, *stage_, causes_);
+  std::unique_ptr<Stage> stage = stageOf(fit_.model, fit_.jacobian);
+  const auto left = [&](const Eigen::VectorXd& raw) { return half(stage_->whitenFit(raw)); };
+  if (left(stage->raw()) > left(unmoved) + critical()) {
+    fit_.model = fit.model;
+    stage = stageOf(fit_.model, fit_.jacobian);
+  }
+  enter(std::move(stage));
   moveNumbers(fit_, stage_->raw(), *stage_, causes_);
 }
 
@@ -239,7 +246,8 @@ void JointSearch::reject(std::size_t cause, double gain, const std::string& reas
 
 // How a candidate that may be named predicts what it was not fitted to; of others it notes why not.
 std::optional<CrossValidation> JointSearch::validated(const Candidate& candidate) {
-  if (dropped_.count(candidate.cause) > 0) return std::nullopt;
+  const auto dropped = dropped_.find(candidate.cause);
+  if (dropped != dropped_.end() && candidate.gain < dropped->second) return std::nullopt;
   const CrossValidation validation =
       crossValidate(data_, *stage_, candidate.fit, candidate.x.size());
   const std::string reason = objection(*stage_, candidate, validation);
@@ -286,7 +294,7 @@ void JointSearch::take(const Candidate& candidate, const CrossValidation& valida
   setRivals(accepted_.size() - 1, ranking, *stage_);
   ensemble_.learnNoise(settingsOf(causes_, candidate.fit.model));
   enterModel(candidate.fit);
-  if (accepted_.size() == 1) descend();  // of further ones most stand in for a law of no catalogue
+  descend();
 }
 
 // A joint that sticks or rattles may look explained in coarse steps alone. Of little, chance
@@ -367,6 +375,11 @@ double JointSearch::lastGainOf(std::size_t cause, double by_look) const {
 }
 
 void JointSearch::rejectTheRest() {
+  const auto found = [&](const Rejected& one) {
+    return std::any_of(accepted_.begin(), accepted_.end(),
+                       [&](const Accepted& other) { return causes_[other.cause].id == one.cause; });
+  };
+  rejected_.erase(std::remove_if(rejected_.begin(), rejected_.end(), found), rejected_.end());
   const Eigen::VectorXd white = stage_->white(stage_->raw());
   for (std::size_t c = 0; c < causes_.size(); ++c) {
     double best = 0, response = 0;

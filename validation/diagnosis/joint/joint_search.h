@@ -125,8 +125,8 @@ class JointSearch {
   bool isWorthAStep(double left) const;
   double critical() const;
   void drop(std::size_t place, double gain, const std::string& reason);
-  void swap(std::size_t place, double gain, const Stage& without, const Candidate& best,
-            const std::vector<Candidate>& ranking);
+  bool swaps(std::size_t place, double gain, const Stage& without, const Candidate& best,
+             const std::vector<Candidate>& ranking);
   bool step();
   double greatestGain() const;
   bool mayBeKinsLaw(const Candidate& candidate) const;
@@ -149,6 +149,7 @@ class JointSearch {
   bool review();
   bool reviewOne(std::size_t place);
   bool goesWithout(std::size_t place, double gain, const Stage& without);
+  bool entersAsWell(const ModelFit& fit, double gain);
   double excess() const;
   bool prune();
   ModelFit fitWithout(const SmallerModel& smaller) const;
@@ -191,8 +192,9 @@ class JointSearch {
   double given_gain_ = 0;  // [nats] what is given explains: by a law, too
   double misfit_before_ = 0, split_ratio_ = 0;
   std::vector<Accepted> accepted_;  // in the order of the model
-  std::set<std::size_t>
-      dropped_;  // causes that a review took out again: else it would go in circles
+  // [nats] by cause that a review took out, with how much it may come back: else it would go in
+  // circles.
+  std::map<std::size_t, double> dropped_;
   std::map<std::size_t, double> fitted_;  // [nats] by cause, what the last round's fits gained
   std::vector<Rejected> rejected_;
   bool trying_ = false;  // whether a cause at the end of its range is freed by a second one

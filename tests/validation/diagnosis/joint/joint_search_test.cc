@@ -2,10 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-
 #include <algorithm>
+#include <functional>
 #include <map>
+#include <set>
+#include <string>
 
 #include "tests/validation/diagnosis/toy_search.h"
 
@@ -265,12 +266,14 @@ class Mirage final : public JointSimulator {
   Coarse coarse_;
 };
 
-JointVerdict diagnoseAlone(const Mirage& mirage, const std::string& cause) {
+JointVerdict diagnoseBy(const Mirage& mirage, const std::set<std::string>& ids) {
   std::vector<Cause> causes;
   for (const Cause& one : test::toyCauses()) {
-    if (one.id == cause) causes.push_back(one);
+    if (ids.count(one.id) > 0) causes.push_back(one);
   }
-  JointSearch search(mirage, test::kToyNoise, causes, quick(), 1000000);
+  Effort effort = quick();
+  effort.most_causes = static_cast<int>(ids.size());
+  JointSearch search(mirage, test::kToyNoise, causes, effort, 1000000);
   search.begin();
   return search.conclude({});
 }
@@ -280,7 +283,7 @@ TEST(JointSearch, NamesNothingThatExactRunsDoNotBearOut) {
   const Mirage mirage(softServo(), [](EffectSetting& cause) {
     if (cause.name == "motor_inertia") cause.name = "kp_error";
   });
-  const JointVerdict verdict = diagnoseAlone(mirage, "motor_inertia");
+  const JointVerdict verdict = diagnoseBy(mirage, {"motor_inertia"});
   EXPECT_TRUE(verdict.findings.empty());
   EXPECT_EQ(verdict.verdict, Verdict::Unknown);
   ASSERT_EQ(verdict.rejected.size(), 1u);
@@ -297,7 +300,7 @@ TEST(JointSearch, GoesOnByExactRunsWhereTheyLeaveMoreThanChance) {
   const Mirage mirage(laws, [](EffectSetting& cause) {
     if (cause.name == "stribeck_friction") cause.parameters["torque"] *= 0.8;
   });
-  const JointVerdict verdict = diagnoseAlone(mirage, "stribeck_friction");
+  const JointVerdict verdict = diagnoseBy(mirage, {"stribeck_friction"});
   EXPECT_EQ(verdict.verdict, Verdict::Named);
   EXPECT_LT(verdict.misfit_after, 1.3);
   ASSERT_EQ(verdict.named().size(), 1u);
@@ -313,10 +316,28 @@ TEST(JointSearch, MeetsAHoldsBeatByExactRuns) {
   const Mirage mirage(laws, [](EffectSetting& cause) {
     if (cause.name == "command_hold") cause.parameters["interval"] *= 1.0001;
   });
-  const JointVerdict verdict = diagnoseAlone(mirage, "command_hold");
+  const JointVerdict verdict = diagnoseBy(mirage, {"command_hold"});
   EXPECT_EQ(verdict.verdict, Verdict::Named);
   ASSERT_EQ(verdict.named().size(), 1u);
   EXPECT_NEAR(verdict.named()[0]->numbers[0].deviation, 0.0094, 3e-7);
+}
+
+// Nor were a head's stop and hold of 7.5 ms told: 0.001 ms off it explained nothing by exact runs,
+// a friction was taken for it, and what had been found had to go.
+TEST(JointSearch, MeetsAHoldsBeatByExactRunsBesideAFirstCauseToo) {
+  ToyLaws laws = softServo();
+  laws.hold = 0.0094;
+  laws.sent = 0.01;
+  const Mirage mirage(laws, [](EffectSetting& cause) {
+    if (cause.name == "command_hold") cause.parameters["interval"] *= 1.0001;
+  });
+  std::map<std::string, double> told;
+  const JointVerdict verdict = diagnoseBy(mirage, {"kp_error", "command_hold"});
+  for (const Finding* one : verdict.named()) told[one->cause] = one->numbers[0].deviation;
+  EXPECT_EQ(verdict.verdict, Verdict::Named);
+  ASSERT_EQ(told.size(), 2u);
+  EXPECT_NEAR(told["command_hold"], 0.0094, 3e-7);
+  EXPECT_NEAR(told["kp_error"], -0.3, 0.02);
 }
 
 TEST(JointSearch, AdjustsNothingBesideWhatHasNoName) {
