@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "validation/diagnosis/work/team.h"
+#include "validation/diagnosis/jobs/team.h"
 
 namespace nao::app {
 

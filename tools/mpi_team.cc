@@ -6,7 +6,7 @@
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 
-#include "validation/diagnosis/work/team.h"
+#include "validation/diagnosis/jobs/team.h"
 
 namespace {
 

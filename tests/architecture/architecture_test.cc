@@ -106,7 +106,7 @@ TEST(Architecture, FoldersIncludeOnlyFoldersBelowThem) {
 // The rooms of validation/diagnosis. Read them downwards: a room only names rooms above it.
 const std::vector<std::string> kDiagnosisRooms = {
     "maths",     // numbers alone
-    "work",      // shared among threads and processes, kept for a diagnosis that was cut off
+    "jobs",      // work that is shared by threads and processes, and kept if it is cut off
     "ensemble",  // measured and simulated repeats, and their noise
     "rig",       // one joint, or a limb, simulated
     "causes",    // what can be named, and what is said of it

@@ -17,7 +17,7 @@
 #include "tests/hidden/preset.h"
 #include "tests/hidden/track_record.h"
 #include "tests/hidden/trial.h"
-#include "validation/diagnosis/work/team.h"
+#include "validation/diagnosis/jobs/team.h"
 
 namespace nao::hidden {
 namespace {

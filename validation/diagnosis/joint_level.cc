@@ -7,8 +7,8 @@
 
 #include "core/check.h"
 #include "validation/diagnosis/folds/diagnose_folds.h"
+#include "validation/diagnosis/jobs/packed.h"
 #include "validation/diagnosis/joint/prepared_set.h"
-#include "validation/diagnosis/work/packed.h"
 #include "validation/log/log_robots.h"
 
 namespace nao::validation {

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "validation/diagnosis/work/team.h"
+#include "validation/diagnosis/jobs/team.h"
 
 namespace nao::validation::test {
 

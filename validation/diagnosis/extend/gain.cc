@@ -7,9 +7,9 @@
 
 #include "core/config.h"
 #include "core/files.h"
+#include "validation/diagnosis/jobs/team.h"
 #include "validation/diagnosis/joint/prepared_set.h"
 #include "validation/diagnosis/replay/whole_replay.h"
-#include "validation/diagnosis/work/team.h"
 
 namespace nao::validation {
 namespace {

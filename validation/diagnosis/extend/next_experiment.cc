@@ -7,10 +7,10 @@
 
 #include "core/config.h"
 #include "validation/diagnosis/extend/next_whole_experiment.h"
+#include "validation/diagnosis/jobs/team.h"
 #include "validation/diagnosis/joint/prepared_set.h"
 #include "validation/diagnosis/replay/replay.h"
 #include "validation/diagnosis/report/report_file.h"
-#include "validation/diagnosis/work/team.h"
 #include "validation/suspended.h"
 
 namespace nao::validation {

@@ -10,9 +10,9 @@
 #include "core/check.h"
 #include "sim/joint_rig.h"
 #include "validation/diagnosis/folds/motion_fit.h"
+#include "validation/diagnosis/jobs/team.h"
 #include "validation/diagnosis/maths/block_bootstrap.h"
 #include "validation/diagnosis/maths/least_squares.h"
-#include "validation/diagnosis/work/team.h"
 
 namespace nao::validation {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "validation/diagnosis/jobs/team.h"
 #include "validation/diagnosis/joint/prepared_set.h"
 #include "validation/diagnosis/replay/whole_replay.h"
-#include "validation/diagnosis/work/team.h"
 
 namespace nao::validation {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "validation/diagnosis/work/packed.h"
+#include "validation/diagnosis/jobs/packed.h"
 #include "validation/report.h"
 
 namespace nao::validation {

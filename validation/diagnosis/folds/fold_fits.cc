@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "core/check.h"
-#include "validation/diagnosis/work/team.h"
+#include "validation/diagnosis/jobs/team.h"
 
 namespace nao::validation {
 namespace {

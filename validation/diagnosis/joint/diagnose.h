@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "validation/diagnosis/jobs/kept_work.h"
+#include "validation/diagnosis/jobs/team.h"
 #include "validation/diagnosis/joint/joint_search.h"
-#include "validation/diagnosis/work/kept_work.h"
-#include "validation/diagnosis/work/team.h"
 
 namespace nao::validation {
 

@@ -2,8 +2,8 @@
 // joints up to the base.
 #include <algorithm>
 
+#include "validation/diagnosis/jobs/packed.h"
 #include "validation/diagnosis/joint/joint_crowd.h"
-#include "validation/diagnosis/work/packed.h"
 
 namespace nao::validation {
 namespace {

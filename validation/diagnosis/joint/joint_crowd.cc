@@ -5,7 +5,7 @@
 #include <map>
 
 #include "validation/diagnosis/ensemble/ensemble_tape.h"
-#include "validation/diagnosis/work/packed.h"
+#include "validation/diagnosis/jobs/packed.h"
 
 namespace nao::validation {
 namespace {

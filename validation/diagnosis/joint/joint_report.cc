@@ -18,6 +18,7 @@ constexpr double kNormal90 = 1.645;  // [SD] half an interval, of a normal distr
 // How well a fitted noise is known: null sets draw theirs from what the fit says. Hidden nulls left
 // 0.6 to 1.09 of the noise floor (60 joints), laws without a name 5 and more.
 constexpr double kNoiseKnown = 1.1;
+constexpr double kExcited = 1;   // squared noise SDs of a look: else it cannot be judged
 constexpr double kTold = 0.2;    // of a small difference's variance that data must take away
 constexpr double kMostly = 0.9;  // of a misfit's excess: what explains it is more than a stand-in
 
@@ -214,6 +215,46 @@ void JointSearch::judgeRemainder(JointVerdict& verdict) const {
   verdict.remainder_critical = std::max(quantile(largest, 1 - effort_.false_alarms),
                                         (kNoiseKnown * kNoiseKnown - 1) * mean / sd);
   verdict.remainder_score = (stage_->whiteAll(stage_->raw()).squaredNorm() / 2 - mean) / sd;
+}
+
+// What a cause gains by its fit, if there was one in the last round, or by its best look.
+double JointSearch::lastGainOf(std::size_t cause, double by_look) const {
+  const auto fitted = fitted_.find(cause);
+  return fitted == fitted_.end() ? by_look : fitted->second;
+}
+
+// What was refused in one round may have been found in another.
+void JointSearch::forgetWhatWasFound() {
+  const auto found = [&](const Rejected& one) {
+    return std::any_of(accepted_.begin(), accepted_.end(),
+                       [&](const Accepted& other) { return causes_[other.cause].id == one.cause; });
+  };
+  rejected_.erase(std::remove_if(rejected_.begin(), rejected_.end(), found), rejected_.end());
+}
+
+void JointSearch::rejectTheRest() {
+  forgetWhatWasFound();
+  const Eigen::VectorXd white = stage_->white(stage_->raw());
+  for (std::size_t c = 0; c < causes_.size(); ++c) {
+    double best = 0, response = 0;
+    bool looked = false;
+    for (const Look& look : stage_->looks()) {
+      if (look.cause != c) continue;
+      looked = true;
+      best = std::max(best, Stage::gain(look, white));
+      response = std::max(response, look.white.first.dot(look.white.second));
+    }
+    const auto known = [&](const Rejected& one) { return one.cause == causes_[c].id; };
+    if (!looked || std::any_of(rejected_.begin(), rejected_.end(), known)) continue;
+    const double gain = std::max(0.0, lastGainOf(c, best));
+    if (response < kExcited) {
+      reject(c, gain, "not excited: no motion of this set shows it, it cannot be judged");
+    } else if (gain > critical()) {
+      reject(c, gain, "explains less than what was tried before it");
+    } else {
+      reject(c, gain, "its gain is below the threshold");
+    }
+  }
 }
 
 }  // namespace nao::validation

@@ -26,7 +26,6 @@ constexpr double kBorneOut = 0.5;     // of what a fit promises, by exact runs: 
 constexpr double kSharedPart = 0.15;  // of a number: half the width of a slope
 constexpr char kOffBy[] = "explains no more than what was found may itself be off by";
 constexpr char kEndOfRange[] = "fits best at the end of its range";
-constexpr double kExcited = 1;  // squared noise SDs of a look: else it cannot be judged
 
 double half(const Eigen::VectorXd& x) { return x.squaredNorm() / 2; }
 
@@ -366,41 +365,6 @@ JointVerdict JointSearch::conclude(const OtherJoints& others) {
   describe(verdict);
   judge(verdict);
   return verdict;
-}
-
-// What a cause gains by its fit, if there was one in the last round, or by its best look.
-double JointSearch::lastGainOf(std::size_t cause, double by_look) const {
-  const auto fitted = fitted_.find(cause);
-  return fitted == fitted_.end() ? by_look : fitted->second;
-}
-
-void JointSearch::rejectTheRest() {
-  const auto found = [&](const Rejected& one) {
-    return std::any_of(accepted_.begin(), accepted_.end(),
-                       [&](const Accepted& other) { return causes_[other.cause].id == one.cause; });
-  };
-  rejected_.erase(std::remove_if(rejected_.begin(), rejected_.end(), found), rejected_.end());
-  const Eigen::VectorXd white = stage_->white(stage_->raw());
-  for (std::size_t c = 0; c < causes_.size(); ++c) {
-    double best = 0, response = 0;
-    bool looked = false;
-    for (const Look& look : stage_->looks()) {
-      if (look.cause != c) continue;
-      looked = true;
-      best = std::max(best, Stage::gain(look, white));
-      response = std::max(response, look.white.first.dot(look.white.second));
-    }
-    const auto known = [&](const Rejected& one) { return one.cause == causes_[c].id; };
-    if (!looked || std::any_of(rejected_.begin(), rejected_.end(), known)) continue;
-    const double gain = std::max(0.0, lastGainOf(c, best));
-    if (response < kExcited) {
-      reject(c, gain, "not excited: no motion of this set shows it, it cannot be judged");
-    } else if (gain > critical()) {
-      reject(c, gain, "explains less than what was tried before it");
-    } else {
-      reject(c, gain, "its gain is below the threshold");
-    }
-  }
 }
 
 }  // namespace nao::validation

@@ -3,7 +3,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -172,6 +171,7 @@ class JointSearch {
   Eigen::MatrixXd movesOf(const ModelFit& fit, const Eigen::VectorXd& angle) const;
   Finding findingOf(std::size_t place) const;
   double lastGainOf(std::size_t cause, double by_look) const;
+  void forgetWhatWasFound();
   void rejectTheRest();
   double misfit(const Stage& stage, const Eigen::VectorXd& raw) const;
   double splitRatio();

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "validation/diagnosis/causes/verdict.h"
-#include "validation/diagnosis/work/packed_as.h"
+#include "validation/diagnosis/jobs/packed_as.h"
 
 namespace nao::validation {
 

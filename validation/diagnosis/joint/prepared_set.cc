@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "validation/diagnosis/work/packed.h"
-#include "validation/diagnosis/work/team.h"
+#include "validation/diagnosis/jobs/packed.h"
+#include "validation/diagnosis/jobs/team.h"
 
 namespace nao::validation {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "validation/diagnosis/jobs/team.h"
 #include "validation/diagnosis/replay/gait_numbers.h"
-#include "validation/diagnosis/work/team.h"
 #include "validation/report.h"
 
 namespace nao::validation {

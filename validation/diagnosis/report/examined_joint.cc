@@ -1,7 +1,7 @@
 #include "validation/diagnosis/report/examined_joint.h"
 
 #include "core/check.h"
-#include "validation/diagnosis/work/packed.h"
+#include "validation/diagnosis/jobs/packed.h"
 
 namespace nao::validation {
 namespace {

@@ -1,5 +1,5 @@
+#include "validation/diagnosis/jobs/packed_as.h"
 #include "validation/diagnosis/report/examined_joint.h"
-#include "validation/diagnosis/work/packed_as.h"
 
 namespace nao::validation {
 

@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "core/check.h"
+#include "validation/diagnosis/jobs/team.h"
 #include "validation/diagnosis/rig/limb.h"
-#include "validation/diagnosis/work/team.h"
 
 namespace nao::validation {
 namespace {

@@ -7,10 +7,10 @@
 
 #include <Eigen/Core>
 
+#include "validation/diagnosis/jobs/kept_runs.h"
 #include "validation/diagnosis/maths/halves.h"
 #include "validation/diagnosis/replay/limb_replay.h"
 #include "validation/diagnosis/whole/whole_features.h"
-#include "validation/diagnosis/work/kept_runs.h"
 
 namespace nao::validation {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <map>
 
+#include "validation/diagnosis/jobs/packed.h"
+#include "validation/diagnosis/jobs/search_progress.h"
 #include "validation/diagnosis/replay/gait_numbers.h"
 #include "validation/diagnosis/whole/touching_stops.h"
-#include "validation/diagnosis/work/packed.h"
-#include "validation/diagnosis/work/search_progress.h"
 #include "validation/log/log_robots.h"
 
 namespace nao::validation {

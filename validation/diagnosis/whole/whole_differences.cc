@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "validation/diagnosis/ensemble/start_offsets.h"
+#include "validation/diagnosis/jobs/team.h"
 #include "validation/diagnosis/whole/whole_stage.h"
-#include "validation/diagnosis/work/team.h"
 
 namespace nao::validation {
 namespace {

@@ -5,8 +5,8 @@
 #include <functional>
 #include <map>
 
+#include "validation/diagnosis/jobs/team.h"
 #include "validation/diagnosis/maths/valley.h"
-#include "validation/diagnosis/work/team.h"
 
 namespace nao::validation {
 namespace {

@@ -5,9 +5,9 @@
 #include <limits>
 #include <map>
 
+#include "validation/diagnosis/jobs/team.h"
 #include "validation/diagnosis/joint/by_chance.h"
 #include "validation/diagnosis/whole/whole_search.h"
-#include "validation/diagnosis/work/team.h"
 
 namespace nao::validation {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "validation/diagnosis/jobs/team.h"
 #include "validation/diagnosis/joint/by_chance.h"
 #include "validation/diagnosis/maths/least_squares.h"
-#include "validation/diagnosis/work/team.h"
 
 namespace nao::validation {
 namespace {

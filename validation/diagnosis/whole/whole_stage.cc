@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/random.h"
+#include "validation/diagnosis/jobs/team.h"
 #include "validation/diagnosis/whole/whole_scatter.h"
-#include "validation/diagnosis/work/team.h"
 
 namespace nao::validation {
 namespace {

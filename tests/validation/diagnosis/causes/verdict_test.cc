@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "validation/diagnosis/work/packed.h"
+#include "validation/diagnosis/jobs/packed.h"
 
 namespace nao::validation {
 namespace {

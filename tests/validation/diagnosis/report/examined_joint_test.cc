@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "tests/validation/diagnosis/toy_joint.h"
-#include "validation/diagnosis/work/packed.h"
+#include "validation/diagnosis/jobs/packed.h"
 
 namespace nao::validation {
 namespace {

@@ -1,4 +1,4 @@
-#include "validation/diagnosis/work/team.h"
+#include "validation/diagnosis/jobs/team.h"
 
 #include <algorithm>
 #include <future>

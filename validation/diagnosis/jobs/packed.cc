@@ -1,5 +1,5 @@
-#include "validation/diagnosis/work/kept_runs.h"
-#include "validation/diagnosis/work/packed_as.h"
+#include "validation/diagnosis/jobs/kept_runs.h"
+#include "validation/diagnosis/jobs/packed_as.h"
 
 namespace nao::validation {
 

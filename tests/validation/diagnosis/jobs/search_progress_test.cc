@@ -1,4 +1,4 @@
-#include "validation/diagnosis/work/search_progress.h"
+#include "validation/diagnosis/jobs/search_progress.h"
 
 #include <gtest/gtest.h>
 

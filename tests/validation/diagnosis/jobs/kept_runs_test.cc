@@ -1,4 +1,4 @@
-#include "validation/diagnosis/work/kept_runs.h"
+#include "validation/diagnosis/jobs/kept_runs.h"
 
 #include <gtest/gtest.h>
 

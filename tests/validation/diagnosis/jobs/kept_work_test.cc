@@ -1,4 +1,4 @@
-#include "validation/diagnosis/work/kept_work.h"
+#include "validation/diagnosis/jobs/kept_work.h"
 
 #include <gtest/gtest.h>
 

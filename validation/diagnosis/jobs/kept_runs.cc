@@ -1,6 +1,6 @@
-#include "validation/diagnosis/work/kept_runs.h"
+#include "validation/diagnosis/jobs/kept_runs.h"
 
-#include "validation/diagnosis/work/packed.h"
+#include "validation/diagnosis/jobs/packed.h"
 #include "validation/log/file_hash.h"
 
 namespace nao::validation {

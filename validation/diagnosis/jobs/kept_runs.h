@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "validation/diagnosis/work/kept_work.h"
+#include "validation/diagnosis/jobs/kept_work.h"
 
 namespace nao::validation {
 
