@@ -22,13 +22,15 @@ constexpr double kExcited = 1;   // squared noise SDs of a look: else it cannot 
 constexpr double kTold = 0.2;    // of a small difference's variance that data must take away
 constexpr double kMostly = 0.9;  // of a misfit's excess: what explains it is more than a stand-in
 
+void doubt(Finding& finding, const std::string& experiment) {
+  finding.rivals.push_back({"unknown", {}, 0});
+  if (finding.rivals.size() == 1) finding.experiment = experiment;
+}
+
 // Beside a remainder a cause may be the nearest imitation of a law that is not in the catalogue: it
 // is not named alone.
 void doubt(JointVerdict& verdict) {
-  for (Finding& finding : verdict.findings) {
-    finding.rivals.push_back({"unknown", {}, 0});
-    if (finding.rivals.size() == 1) finding.experiment = "look at the signature of what remains";
-  }
+  for (Finding& finding : verdict.findings) doubt(finding, "look at the signature of what remains");
 }
 
 Verdict verdictOf(const JointVerdict& joint, bool remains) {
@@ -182,9 +184,18 @@ void JointSearch::judge(JointVerdict& verdict) {
     doubt(verdict);
     verdict.adjustments.clear();  // they would stand in for what has no name
     verdict.signature = remainingShape(verdict).text();
+  } else {
+    doubtThoseAtEnd(verdict);
   }
   const bool unfinished = ensemble_.spent() && (remains || !not_tried.empty());
   verdict.verdict = unfinished ? Verdict::Unfinished : verdictOf(verdict, remains);
+}
+
+// Data ask for more of them than their laws allow for.
+void JointSearch::doubtThoseAtEnd(JointVerdict& verdict) const {
+  for (std::size_t i = 0; i < verdict.findings.size(); ++i) {
+    if (isAtEnd(fit_.model[i])) doubt(verdict.findings[i], "look for what acts beside it");
+  }
 }
 
 // Where what was found explains but a part, it more likely stands in for one of the unknown: all is
