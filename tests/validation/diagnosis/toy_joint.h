@@ -102,10 +102,7 @@ class ToyRun {
     const auto rows = static_cast<Eigen::Index>(std::lround(seconds / dt));
     const int steps = static_cast<int>(std::lround(dt / laws_.step));
     Eigen::MatrixXd angle(rows, 1);
-    q_ = toyCommand(motion_, 0);
-    filtered_ = limited_ = q_;
-    trail_.assign(static_cast<std::size_t>(laws_.sensor_delay / laws_.step) + 1, q_ + laws_.zero);
-    played_ = q_;
+    begin();
     for (Eigen::Index row = 0; row < rows; ++row) {
       angle(row, 0) = reading();
       for (int i = 0; i < steps; ++i) step();
@@ -113,26 +110,41 @@ class ToyRun {
     return angle;
   }
 
-  /// By a stiff spring.
-  LedRun led(const Eigen::VectorXd& angle, const Eigen::VectorXd& misread, double dt = 0.01) {
-    lead_ = withRates(angle, dt);
-    LedRun found{Eigen::VectorXd(angle.size()), Eigen::VectorXd(angle.size())};
-    q_ = filtered_ = limited_ = played_ = lead_(0, 0);
+  /// By a stiff spring, beside the course that `own` takes.
+  LedRun led(ToyRun own, const Eigen::VectorXd& off, const Eigen::VectorXd& misread,
+             double dt = 0.01) {
+    const Eigen::MatrixXd beside = withRates(off, dt);
+    LedRun found{Eigen::VectorXd(off.size()), Eigen::VectorXd(off.size()),
+                 Eigen::VectorXd(off.size())};
+    own.begin();
+    begin();
     const int steps = static_cast<int>(std::lround(dt / laws_.step));
-    for (row_ = 0; row_ < angle.size(); ++row_) {
-      led_by_ = 0;
-      laws_.zero = misread[row_];
+    for (Eigen::Index row = 0; row < off.size(); ++row) {
+      double led_by = 0;
+      laws_.zero = misread[row];
+      found.angle[row] = own.q_;
       trail_.assign(1, q_);
-      for (int i = 0; i < steps; ++i) step();
-      found.torque[row_] = led_by_ / steps;
+      for (int i = 0; i < steps; ++i, own.step()) {
+        led_ = 450 * (own.q_ + beside(row, 0) - q_) + 5 * (own.u_ + beside(row, 1) - u_);
+        led_by += led_;
+        step();
+      }
+      found.torque[row] = led_by / steps;
       const double error = filtered_ - q_ - laws_.zero;
-      found.error[row_] = std::abs(error) < laws_.stall / laws_.kp ? error : 0;
+      found.error[row] = std::abs(error) < laws_.stall / laws_.kp ? error : 0;
     }
     return found;
   }
 
  private:
   static constexpr double kAge = 0.004;  // [s] for which the random torque stays
+
+  void begin() {
+    q_ = toyCommand(motion_, 0);
+    filtered_ = limited_ = q_;
+    trail_.assign(static_cast<std::size_t>(laws_.sensor_delay / laws_.step) + 1, q_ + laws_.zero);
+    played_ = q_;
+  }
 
   // Linear between the two nearest steps of the past.
   double reading() const {
@@ -171,7 +183,7 @@ class ToyRun {
     const double weight =
         -laws_.mass * laws_.gravity * laws_.length * std::sin(q_ + laws_.tilt) + laws_.bias;
     const double motor = servo(command() - q_ - misread());
-    const double smooth = weight + torque_ + motor + strange() + lead();
+    const double smooth = weight + torque_ + motor + strange() + led_;
     double u = (u_ + h * (smooth) / inertia) / (1 + h * laws_.viscous / inertia);
     const double near = u_ / laws_.stribeck_speed;
     const double dry = laws_.coulomb + laws_.stribeck * std::exp(-near * near) +
@@ -194,13 +206,6 @@ class ToyRun {
 
   double misread() const { return laws_.zero + laws_.eccentric * std::sin(3 * q_); }
 
-  double lead() {
-    if (lead_.rows() == 0) return 0;
-    const double torque = 450 * (lead_(row_, 0) - q_) + 5 * (lead_(row_, 1) - u_);
-    led_by_ += torque;
-    return torque;
-  }
-
   double strangelyDry() const {
     const double place = (q_ - 0.3) / 0.12, speed = (std::abs(u_) - 0.8) / 0.25;
     return laws_.spot * std::exp(-place * place) + laws_.band * std::exp(-speed * speed) +
@@ -220,9 +225,7 @@ class ToyRun {
   double t_ = 0, q_ = 0, u_ = 0, filtered_ = 0, limited_ = 0, played_ = 0;
   std::vector<double> trail_;
   std::size_t newest_ = 0;
-  Eigen::MatrixXd lead_;  // course, rate and second rate to be led along; empty: none
-  Eigen::Index row_ = 0;
-  double led_by_ = 0;  // [N m] summed up over a row
+  double led_ = 0;  // [N m] by which it is led
 };
 
 inline const JointNoise kToyNoise{0.03, 0.05, 0.001, 0.0015};
@@ -255,11 +258,12 @@ class ToyJoint final : public JointSimulator {
     return ToyRun(laws, motion, drawOf(stream, motion), noise).record();
   }
   LedRun led(const std::vector<EffectSetting>& causes, std::size_t motion,
-             const Eigen::VectorXd& angle, const Eigen::VectorXd& misread) const override {
+             const Eigen::VectorXd& off, const Eigen::VectorXd& misread) const override {
     ToyLaws laws;
     laws.sent = sent_;
     for (const EffectSetting& cause : causes) laws.set(cause.name, cause.parameters);
-    return ToyRun(laws, motion, RunDraw{}, {}).led(angle, misread);
+    const ToyRun own(laws, motion, RunDraw{}, {});
+    return ToyRun(own).led(own, off, misread);
   }
   std::pair<double, double> range() const override {
     return {ToyLaws().stop, std::numeric_limits<double>::infinity()};

@@ -31,10 +31,11 @@ struct JointMotion {
   std::vector<Eigen::MatrixXd> repeats;
 };
 
-/// A joint that is led along a course, row by row.
+/// A joint that is led beside its own course, row by row.
 struct LedRun {
   Eigen::VectorXd torque;  // [N m] that led it: what the model lacks
   Eigen::VectorXd error;   // [rad] its servo's, command less angle; 0 where it gives all it has
+  Eigen::VectorXd angle;   // [rad] of its own course, told or not
 };
 
 /// Predicts one joint's signals under any list of causes: the model of the joint level. The other
@@ -64,11 +65,11 @@ class JointSimulator {
   virtual Eigen::MatrixXd run(const std::vector<EffectSetting>& causes, std::size_t motion,
                               std::uint64_t stream, const JointNoise& noise) const = 0;
 
-  /// What the noise-free joint lacks to move as given, `angle` [rad] on the grid of
-  /// measured()[motion], where its encoder reads `misread` [rad] more. Empty: the simulator can not
-  /// tell.
+  /// What the noise-free joint lacks to move `off` [rad] beside the course that it takes by itself,
+  /// on the grid of measured()[motion], where its encoder reads `misread` [rad] more. Empty: the
+  /// simulator can not tell.
   virtual LedRun led(const std::vector<EffectSetting>& /*causes*/, std::size_t /*motion*/,
-                     const Eigen::VectorXd& /*angle*/, const Eigen::VectorXd& /*misread*/) const {
+                     const Eigen::VectorXd& /*off*/, const Eigen::VectorXd& /*misread*/) const {
     return {};
   }
 

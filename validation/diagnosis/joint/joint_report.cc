@@ -20,6 +20,7 @@ constexpr double kNormal90 = 1.645;  // [SD] half an interval, of a normal distr
 constexpr double kNoiseKnown = 1.1;
 constexpr double kExcited = 1;   // squared noise SDs of a look: else it cannot be judged
 constexpr double kTold = 0.2;    // of a small difference's variance that data must take away
+constexpr double kLeans = 0.1;   // of the greatest gain: missed
 constexpr double kMostly = 0.9;  // of a misfit's excess: what explains it is more than a stand-in
 
 void doubt(Finding& finding, const std::string& experiment) {
@@ -179,7 +180,7 @@ void JointSearch::judge(JointVerdict& verdict) {
   }
   if (verdict.with_repeats) verdict.noise = ensemble_.noise().torque_sd;
   verdict.runs = ensemble_.used();
-  const bool remains = verdict.remains();
+  const bool remains = verdict.remains() || leansOnATrifle(verdict);
   if (remains) {
     doubt(verdict);
     verdict.adjustments.clear();  // they would stand in for what has no name
@@ -189,6 +190,17 @@ void JointSearch::judge(JointVerdict& verdict) {
   }
   const bool unfinished = ensemble_.spent() && (remains || !not_tried.empty());
   verdict.verdict = unfinished ? Verdict::Unfinished : verdictOf(verdict, remains);
+}
+
+// What is named explains the data only with another cause beside it that is of no interest, that
+// equal robots do not differ by, and that is missed all the same: it stands in for something.
+bool JointSearch::leansOnATrifle(const JointVerdict& verdict) const {
+  if (verdict.named().empty()) return false;
+  const double much = kLeans * greatestGain();
+  return std::any_of(verdict.findings.begin(), verdict.findings.end(), [&](const Finding& one) {
+    const auto place = static_cast<std::size_t>(&one - verdict.findings.data());
+    return one.small && one.gain > much && causes_[accepted_[place].cause].spread <= 0;
+  });
 }
 
 // Data ask for more of them than their laws allow for.

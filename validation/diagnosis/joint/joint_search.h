@@ -163,6 +163,7 @@ class JointSearch {
   void reject(std::size_t cause, double gain, const std::string& reason);
   std::vector<Adjustment> adjustments() const;
   void judge(JointVerdict& verdict);
+  bool leansOnATrifle(const JointVerdict& verdict) const;
   void doubtThoseAtEnd(JointVerdict& verdict) const;
   void judgeRemainder(JointVerdict& verdict) const;
   Signature remainingShape(const JointVerdict& verdict) const;

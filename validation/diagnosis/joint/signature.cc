@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "validation/diagnosis/joint/torque_features.h"
+#include "validation/diagnosis/maths/lag.h"
 #include "validation/diagnosis/rig/led_joint.h"
 
 namespace nao::validation {
@@ -75,7 +76,7 @@ double rootMeanSquare(const Eigen::MatrixXd& x) {
       std::max(x.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, x.size())), 1e-18));
 }
 
-// The torques that a model lacks, of one motion.
+// The torques that a model lacks, of one motion, when they act: what is told of a joint is late.
 class Lack {
  public:
   Lack(const JointSimulator& joint, const Stage& stage, const std::vector<EffectSetting>& causes,
@@ -83,23 +84,26 @@ class Lack {
       : joint_(joint),
         causes_(causes),
         span_(span),
-        predicted_(stage.predicted().segment(span.offset, span.rows)),
         nothing_(Eigen::VectorXd::Zero(span.rows)),
-        alone_(joint.led(causes_, span.motion, predicted_, nothing_)) {}
+        alone_(joint.led(causes_, span.motion, nothing_, nothing_)) {
+    if (isKnown()) late_ = rowsLate(stage.predicted().segment(span.offset, span.rows), course());
+  }
 
   bool isKnown() const { return alone_.torque.size() > 0; }
+  /// Of all motions: this one's, when it was so.
+  Eigen::VectorXd then(const Eigen::VectorXd& told) const {
+    return earlier(told.segment(span_.offset, span_.rows), late_);
+  }
   /// Where this is added to the prediction.
   Eigen::VectorXd by(const Eigen::VectorXd& residual) const {
-    const Eigen::VectorXd moved = predicted_ + residual.segment(span_.offset, span_.rows);
-    return joint_.led(causes_, span_.motion, moved, nothing_).torque - alone_.torque;
+    return joint_.led(causes_, span_.motion, then(residual), nothing_).torque;
   }
   /// Where readings, on the predicted course, are `misread` too much, per unit of that.
   Eigen::VectorXd byMisreading(const Eigen::VectorXd& shape) const {
     const Eigen::VectorXd misread = kMisread * shape;
-    const Eigen::VectorXd turned = predicted_ - misread;
-    return (alone_.torque - joint_.led(causes_, span_.motion, turned, misread).torque) / kMisread;
+    return -joint_.led(causes_, span_.motion, -misread, misread).torque / kMisread;
   }
-  const Eigen::VectorXd& course() const { return predicted_; }
+  const Eigen::VectorXd& course() const { return alone_.angle; }
   /// What the servo is off by along the predicted course: along the measured one every torque that
   /// is not known shows in it.
   const Eigen::VectorXd& error() const { return alone_.error; }
@@ -110,8 +114,9 @@ class Lack {
   const JointSimulator& joint_;
   std::vector<EffectSetting> causes_;
   MotionSpan span_;
-  Eigen::VectorXd predicted_, nothing_;
+  Eigen::VectorXd nothing_;
   LedRun alone_;
+  double late_ = 0;  // rows
 };
 
 // What the measurement and what null sets leave.
@@ -215,8 +220,7 @@ Signature signatureOf(const JointSimulator& joint, const JointData& data, const 
     if (span.split != Split::Fit) continue;
     const Lack lack(joint, stage, causes, span);
     if (!lack.isKnown()) return {};
-    const Eigen::MatrixXd motion = withRates(data.mean().segment(span.offset, span.rows), span.dt);
-    addMotion(lack, stage, features, motion, all);
+    addMotion(lack, stage, features, withRates(lack.then(data.mean()), span.dt), all);
   }
   if (all.measured.motions() < 2) return {};
   double chance = 0;

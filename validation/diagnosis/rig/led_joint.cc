@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/check.h"
 #include "sim/effects/effect.h"
+#include "validation/diagnosis/maths/lag.h"
 #include "validation/diagnosis/maths/moving_mean.h"
 
 namespace nao::validation {
@@ -24,15 +26,6 @@ Eigen::VectorXd slope(const Eigen::VectorXd& x, double dt) {
   return rate;
 }
 
-// Linear between rows.
-double at(const Eigen::VectorXd& rows, double place) {
-  const double last = static_cast<double>(rows.size() - 1);
-  const double inside = std::clamp(place, 0.0, last);
-  const auto row = static_cast<Eigen::Index>(inside);
-  const Eigen::Index next = std::min(row + 1, rows.size() - 1);
-  return rows[row] + (inside - static_cast<double>(row)) * (rows[next] - rows[row]);
-}
-
 }  // namespace
 
 Eigen::MatrixXd withRates(const Eigen::VectorXd& angle, double dt) {
@@ -43,19 +36,38 @@ Eigen::MatrixXd withRates(const Eigen::VectorXd& angle, double dt) {
   return all;
 }
 
+class LedJoint::Watch final : public sim::Effect {
+ public:
+  explicit Watch(LedJoint& led) : led_(led) {}
+
+  void alterDrive(const sim::DriveMoment& moment, sim::DriveTerms&) override {
+    led_.own_.emplace_back(moment.angle[0], moment.rate[0]);
+    const double place = (toSeconds(moment.time) - led_.settle_) / led_.row_;
+    const auto row = static_cast<Eigen::Index>(std::ceil(place));
+    if (row >= 0 && row < led_.sum_.angle.size()) led_.sum_.angle[row] = moment.angle[0];
+  }
+
+ private:
+  LedJoint& led_;
+};
+
 class LedJoint::Lead final : public sim::Effect {
  public:
   explicit Lead(LedJoint& led) : led_(led) {}
 
   void alterCommand(JointCommand& command, SimTime now, double) override {
-    command.angle[0] -= at(led_.misread_, (toSeconds(now) - led_.settle_) / led_.row_);
+    command.angle[0] -= atRow(led_.misread_, (toSeconds(now) - led_.settle_) / led_.row_);
   }
 
   void alterDrive(const sim::DriveMoment& moment, sim::DriveTerms& terms) override {
+    NAO_CHECK(step_ < led_.own_.size());
+    const auto [angle, rate] = led_.own_[step_++];
+    const double then = step_ < led_.own_.size() ? led_.own_[step_].second : rate;
     const double place = (toSeconds(moment.time) - led_.settle_) / led_.row_;
-    const double drag = led_.damping_ * (at(led_.rate_, place) - moment.rate[0]);
-    const double pull = led_.stiffness_ * (at(led_.angle_, place) - moment.angle[0]);
-    terms.disturbance[0] += pull + drag + led_.damping_ * moment.rate[0];
+    const double drag = led_.damping_ * (rate + atRow(led_.rate_off_, place) - moment.rate[0]);
+    const double pull = led_.stiffness_ * (angle + atRow(led_.off_, place) - moment.angle[0]);
+    // The damper acts by the rate that the step ends with.
+    terms.disturbance[0] += pull + drag + led_.damping_ * (moment.rate[0] + then - rate);
     terms.viscous[0] += led_.damping_;
     const auto row = static_cast<Eigen::Index>(std::floor(place));
     if (row < 0 || row >= led_.steps_.size()) return;
@@ -67,26 +79,37 @@ class LedJoint::Lead final : public sim::Effect {
 
  private:
   LedJoint& led_;
+  std::size_t step_ = 0;
 };
 
-LedJoint::LedJoint(const Eigen::VectorXd& angle, const Eigen::VectorXd& misread, double row,
+LedJoint::LedJoint(const Eigen::VectorXd& off, const Eigen::VectorXd& misread, double row,
                    double settle, double inertia, double reach)
     : row_(row),
       settle_(settle),
       reach_(reach),
       stiffness_(inertia * kPace * kPace),
       damping_(2 * inertia * kPace),
-      sum_{Eigen::VectorXd::Zero(angle.size()), Eigen::VectorXd::Zero(angle.size())},
-      steps_(Eigen::VectorXd::Zero(angle.size())) {
-  const Eigen::MatrixXd course = withRates(angle, row);
-  angle_ = course.col(0);
-  rate_ = course.col(1);
+      sum_{Eigen::VectorXd::Zero(off.size()), Eigen::VectorXd::Zero(off.size()),
+           Eigen::VectorXd::Zero(off.size())},
+      steps_(Eigen::VectorXd::Zero(off.size())) {
+  const Eigen::MatrixXd beside = withRates(off, row);
+  off_ = beside.col(0);
+  rate_off_ = beside.col(1);
   misread_ = smooth(misread);
 }
 
-sim::EffectCatalogue LedJoint::in(sim::EffectCatalogue catalogue) {
+sim::EffectCatalogue LedJoint::watch(sim::EffectCatalogue catalogue) {
   catalogue.add({kName,
-                 "The joint is led along a course.",
+                 "The joint's course is taken down.",
+                 {},
+                 sim::Acts::OnDrive,
+                 [this](const sim::EffectSetup&) { return std::make_unique<Watch>(*this); }});
+  return catalogue;
+}
+
+sim::EffectCatalogue LedJoint::lead(sim::EffectCatalogue catalogue) {
+  catalogue.add({kName,
+                 "The joint is led beside its own course.",
                  {},
                  sim::Acts::OnCommand | sim::Acts::OnDrive,
                  [this](const sim::EffectSetup&) { return std::make_unique<Lead>(*this); }});
@@ -95,7 +118,7 @@ sim::EffectCatalogue LedJoint::in(sim::EffectCatalogue catalogue) {
 
 LedRun LedJoint::found() const {
   const Eigen::VectorXd steps = steps_.cwiseMax(1);
-  return {sum_.torque.cwiseQuotient(steps), sum_.error.cwiseQuotient(steps)};
+  return {sum_.torque.cwiseQuotient(steps), sum_.error.cwiseQuotient(steps), sum_.angle};
 }
 
 }  // namespace nao::validation

@@ -2,6 +2,8 @@
 
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -10,31 +12,37 @@
 
 namespace nao::validation {
 
-/// A course that a simulated joint is led along by a stiff spring and damper, and what these had to
-/// do: the torque that the model lacks there. An effect like others, of one run each; the object
-/// must outlive the run.
+/// A simulated joint that is led by a stiff spring and damper beside the course that it takes by
+/// itself, and what these have to do: the torque that the model lacks there. Two effects like
+/// others, of one run each, first watch(), then lead(); the object must outlive the runs, which are
+/// of the same steps.
 class LedJoint {
  public:
-  /// `angle` [rad] per row, of which the encoder reads `misread` [rad] too much, rows `row` seconds
-  /// apart, the first held for `settle` seconds before; smoothed here. `inertia` [kg m^2] of what
-  /// is led; `reach` [rad]: by how much its servo may be off before the motor gives all it has.
-  LedJoint(const Eigen::VectorXd& angle, const Eigen::VectorXd& misread, double row, double settle,
+  /// `off` [rad] per row, rows `row` seconds apart: how far beside its own course it is led, of
+  /// which the encoder reads `misread` [rad] too much; the first are held for `settle` seconds
+  /// before; smoothed here. `inertia` [kg m^2] of what is led; `reach` [rad]: by how much its servo
+  /// may be off before the motor gives all it has.
+  LedJoint(const Eigen::VectorXd& off, const Eigen::VectorXd& misread, double row, double settle,
            double inertia, double reach);
   LedJoint(const LedJoint&) = delete;
   LedJoint& operator=(const LedJoint&) = delete;
 
   static constexpr char kName[] = "led_joint";
-  /// The catalogue with this effect in it.
-  sim::EffectCatalogue in(sim::EffectCatalogue catalogue);
-  /// Means over every row of time.
+  /// The catalogue with an effect that takes down the joint's own course.
+  sim::EffectCatalogue watch(sim::EffectCatalogue catalogue);
+  /// The catalogue with an effect that leads it.
+  sim::EffectCatalogue lead(sim::EffectCatalogue catalogue);
+  /// Means over every row of time, and the own course's angle at each row.
   LedRun found() const;
 
  private:
+  class Watch;
   class Lead;
 
-  Eigen::VectorXd angle_, rate_, misread_;
+  Eigen::VectorXd off_, rate_off_, misread_;
   double row_, settle_, reach_;
-  double stiffness_, damping_;  // [N m/rad], [N m s/rad]
+  double stiffness_, damping_;                  // [N m/rad], [N m s/rad]
+  std::vector<std::pair<double, double>> own_;  // angle [rad] and rate [rad/s] of every step
   LedRun sum_;
   Eigen::VectorXd steps_;  // of every row
 };

@@ -199,17 +199,23 @@ Eigen::MatrixXd RigSimulator::run(const std::vector<EffectSetting>& causes, std:
   return result;
 }
 
+// Motor and link as one: the motor is what is told of, and the link what a torque acts on.
 LedRun RigSimulator::led(const std::vector<EffectSetting>& causes, std::size_t motion,
-                         const Eigen::VectorXd& angle, const Eigen::VectorXd& misread) const {
+                         const Eigen::VectorXd& off, const Eigen::VectorXd& misread) const {
   std::vector<EffectSetting> effects = set_->effectsWith(causes, set_->motions()[motion]);
+  const auto parts = [](const EffectSetting& one) { return partsLinkFromMotor(one.name); };
+  effects.erase(std::remove_if(effects.begin(), effects.end(), parts), effects.end());
   effects.push_back({LedJoint::kName, {}, {joint_}, ""});
   const Actuator& motor = set_->model().actuators[index(joint_)];
   const double inertia = motor.rotor_inertia * (1 + linkInertia());
   const double settle = set_->options().settle;
-  LedJoint led(angle, misread, toSeconds(set_->row()), settle, inertia,
+  LedJoint led(off, misread, toSeconds(set_->row()), settle, inertia,
                motor.stall_torque / motor.kp);
-  rigs_[motion].run(effects, orders_[motion], *loadOf(causes, motion, 0, {}), {},
-                    fromSeconds(settle), led.in(set_->catalogue()));
+  const auto load = loadOf(causes, motion, 0, {});
+  for (const sim::EffectCatalogue& catalogue :
+       {led.watch(set_->catalogue()), led.lead(set_->catalogue())}) {
+    rigs_[motion].run(effects, orders_[motion], *load, {}, fromSeconds(settle), catalogue);
+  }
   return led.found();
 }
 

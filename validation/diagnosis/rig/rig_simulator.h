@@ -82,7 +82,7 @@ class RigSimulator final : public JointSimulator {
   Eigen::MatrixXd run(const std::vector<EffectSetting>& causes, std::size_t motion,
                       std::uint64_t stream, const JointNoise& noise) const override;
   LedRun led(const std::vector<EffectSetting>& causes, std::size_t motion,
-             const Eigen::VectorXd& angle, const Eigen::VectorXd& misread) const override;
+             const Eigen::VectorXd& off, const Eigen::VectorXd& misread) const override;
   double present(const std::string& effect, const std::string& parameter) const override;
   bool isCoupled() const override;
   std::pair<double, double> range() const override;
