@@ -168,6 +168,26 @@ TEST(JointSearch, SearchesNoFurtherThanATrifle) {
   EXPECT_TRUE(verdict.findings[1].small);
 }
 
+// A head's gain that grew was told as a higher one, alone, beside a hold of no interest of 5.003
+// ms, whose beat with the commands grows, too.
+TEST(JointSearch, WhatLeansOnACauseOfNoInterestIsNotAll) {
+  Effort two = quick();
+  two.most_causes = 2;
+  ToyLaws laws = softServo();
+  laws.latency += 0.01;
+  std::vector<Cause> causes = test::toyCauses();
+  const auto late = std::find_if(causes.begin(), causes.end(),
+                                 [](const Cause& one) { return one.id == "command_latency"; });
+  late->free[0].smallest = 0.02;
+  const JointVerdict leaning = diagnose(laws, causes, two);
+  EXPECT_EQ(leaning.verdict, Verdict::PartlyExplained);
+  ASSERT_EQ(leaning.named().size(), 1u);
+  ASSERT_EQ(leaning.named()[0]->rivals.size(), 1u);
+  EXPECT_EQ(leaning.named()[0]->rivals[0].cause, "unknown");
+  late->spread = 0.005;  // equal robots differ by it
+  EXPECT_EQ(diagnose(laws, causes, two).verdict, Verdict::Named);
+}
+
 // Friction near an angle and friction near a speed: a tenth of it by a friction, a tenth of the
 // rest by a dead band, and so on.
 TEST(JointSearch, GivesUpWhereTwoCausesExplainLittle) {
