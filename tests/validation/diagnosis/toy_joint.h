@@ -131,7 +131,9 @@ class ToyRun {
       }
       found.torque[row] = led_by / steps;
       const double error = filtered_ - q_ - laws_.zero;
-      found.error[row] = std::abs(error) < laws_.stall / laws_.kp ? error : 0;
+      const double torque = laws_.kp * error - laws_.kd * u_;
+      const double most = laws_.stall - std::copysign(laws_.stall, torque) * u_ / laws_.no_load;
+      found.error[row] = std::abs(torque) < most ? error : 0;
     }
     return found;
   }

@@ -73,7 +73,7 @@ class LedJoint::Lead final : public sim::Effect {
     if (row < 0 || row >= led_.steps_.size()) return;
     led_.sum_.torque[row] += pull + drag;
     const double error = moment.command[0] - moment.angle[0];
-    if (std::abs(error) < led_.reach_) led_.sum_.error[row] += error;
+    if (!led_.isAtItsLimit(error, moment.rate[0])) led_.sum_.error[row] += error;
     led_.steps_[row] += 1;
   }
 
@@ -83,10 +83,10 @@ class LedJoint::Lead final : public sim::Effect {
 };
 
 LedJoint::LedJoint(const Eigen::VectorXd& off, const Eigen::VectorXd& misread, double row,
-                   double settle, double inertia, double reach)
+                   double settle, double inertia, const Actuator& motor)
     : row_(row),
       settle_(settle),
-      reach_(reach),
+      motor_(motor),
       stiffness_(inertia * kPace * kPace),
       damping_(2 * inertia * kPace),
       sum_{Eigen::VectorXd::Zero(off.size()), Eigen::VectorXd::Zero(off.size()),
@@ -96,6 +96,14 @@ LedJoint::LedJoint(const Eigen::VectorXd& off, const Eigen::VectorXd& misread, d
   off_ = beside.col(0);
   rate_off_ = beside.col(1);
   misread_ = smooth(misread);
+}
+
+// Of the motor, which gives less the faster it turns.
+bool LedJoint::isAtItsLimit(double error, double rate) const {
+  const double torque = motor_.kp * error - motor_.kd * rate;
+  const double ratio = std::copysign(1, torque) * rate / motor_.no_load_speed;
+  const double most = motor_.efficiency * motor_.stall_torque;
+  return std::abs(torque) > most * std::clamp(1 - ratio, 0.0, 1.0);
 }
 
 sim::EffectCatalogue LedJoint::watch(sim::EffectCatalogue catalogue) {

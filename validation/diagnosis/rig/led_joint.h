@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "core/robot_model.h"
 #include "sim/effects/catalogue.h"
 #include "validation/diagnosis/ensemble/joint_simulator.h"
 
@@ -20,10 +21,9 @@ class LedJoint {
  public:
   /// `off` [rad] per row, rows `row` seconds apart: how far beside its own course it is led, of
   /// which the encoder reads `misread` [rad] too much; the first are held for `settle` seconds
-  /// before; smoothed here. `inertia` [kg m^2] of what is led; `reach` [rad]: by how much its servo
-  /// may be off before the motor gives all it has.
+  /// before; smoothed here. `inertia` [kg m^2] of what is led, `motor` what drives it.
   LedJoint(const Eigen::VectorXd& off, const Eigen::VectorXd& misread, double row, double settle,
-           double inertia, double reach);
+           double inertia, const Actuator& motor);
   LedJoint(const LedJoint&) = delete;
   LedJoint& operator=(const LedJoint&) = delete;
 
@@ -38,9 +38,11 @@ class LedJoint {
  private:
   class Watch;
   class Lead;
+  bool isAtItsLimit(double error, double rate) const;
 
   Eigen::VectorXd off_, rate_off_, misread_;
-  double row_, settle_, reach_;
+  double row_, settle_;
+  Actuator motor_;
   double stiffness_, damping_;                  // [N m/rad], [N m s/rad]
   std::vector<std::pair<double, double>> own_;  // angle [rad] and rate [rad/s] of every step
   LedRun sum_;

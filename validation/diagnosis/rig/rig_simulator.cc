@@ -209,8 +209,7 @@ LedRun RigSimulator::led(const std::vector<EffectSetting>& causes, std::size_t m
   const Actuator& motor = set_->model().actuators[index(joint_)];
   const double inertia = motor.rotor_inertia * (1 + linkInertia());
   const double settle = set_->options().settle;
-  LedJoint led(off, misread, toSeconds(set_->row()), settle, inertia,
-               motor.stall_torque / motor.kp);
+  LedJoint led(off, misread, toSeconds(set_->row()), settle, inertia, motor);
   const auto load = loadOf(causes, motion, 0, {});
   for (const sim::EffectCatalogue& catalogue :
        {led.watch(set_->catalogue()), led.lead(set_->catalogue())}) {
