@@ -56,6 +56,7 @@ void JointCrowd::giveLink(std::size_t link, std::size_t cause, const std::vector
                           std::size_t ruled_out) {
   EffectSetting setting = settingOf(causes()[cause], x);
   setting.joints = tasks_[link].joint->place();
+  given_ = true;
   lookAnew(questionOf("given" + std::to_string(link), cause, x), [&](std::size_t j) {
     Beside beside{{}, {ruled_out}};
     if (carries(j, link)) beside.effects = {setting};

@@ -13,6 +13,10 @@ namespace {
 // Runs per motion of a joint in which nothing is wrong, measured in 2026-11: for the progress bar.
 constexpr double kLookRuns = 4000, kRestRuns = 4000;
 
+// Times the noise of the robot's file, of a search that may have taken a law's scatter for it; and
+// what a law that makes that scatter leaves of it.
+constexpr double kLoud = 4, kQuieter = 0.5;
+
 bool isStart(const Cause& cause, double x) {
   const std::vector<double>& starts = cause.free[0].starts;
   return std::find(starts.begin(), starts.end(), x) != starts.end();
@@ -224,7 +228,35 @@ std::vector<double> JointCrowd::beatingSizesOf(std::size_t joint, std::size_t ca
 }
 
 void JointCrowd::give(std::size_t cause, double x) {
+  given_ = true;
   lookAnew(questionOf("given", cause, {x}), [&](std::size_t j) { searches_[j]->give(cause, x); });
+}
+
+// Whether repeats scatter as by much more noise than usual, and this does not tell why.
+bool JointCrowd::isLoud(std::size_t joint, const JointVerdict& verdict) const {
+  const double usual = tasks_[joint].nominal.torque_sd;
+  if (given_ || usual <= 0 || tasks_[joint].noise.torque_sd < kLoud * usual) return false;
+  const Verdict said = verdict.verdict;
+  if (said == Verdict::NoDiscrepancy || said == Verdict::Unfinished) return false;
+  const bool in_part = said == Verdict::Unknown || said == Verdict::PartlyExplained;
+  return in_part || verdict.noise > kLoud * usual;
+}
+
+// Of little chance some laws make much: a joint that sticks and slips seems to have noise that, if
+// it had it, would shake it loose. If such a law, by the noise of the robot's file, explains all or
+// leaves less, and explains how the repeats scatter too, it is what is wrong.
+JointVerdict JointCrowd::searchedQuietly(std::size_t joint, JointVerdict loud) const {
+  const JointTask& task = tasks_[joint];
+  JointNoise noise = task.noise;
+  noise.torque_sd = task.nominal.torque_sd;
+  noise.torque_time = task.nominal.torque_time;
+  JointSearch search(*task.joint, noise, causes_, options_.effort, options_.runs_per_joint);
+  search.begin();
+  JointVerdict quiet = search.conclude(allBut(joint));
+  quiet.runs = loud.runs += quiet.runs;
+  const bool all = quiet.verdict == Verdict::Named || quiet.verdict == Verdict::Ambiguous;
+  const bool more = !quiet.named().empty() && quiet.misfit_after < loud.misfit_after;
+  return (all || more) && quiet.noise < kQuieter * task.noise.torque_sd ? quiet : loud;
 }
 
 std::vector<JointVerdict> JointCrowd::conclude() {
@@ -234,6 +266,7 @@ std::vector<JointVerdict> JointCrowd::conclude() {
     return options_.kept.remember(unitOf(j, "verdict"), [&] {
       JointVerdict verdict;
       watched(j, kRestRuns, done_[j].rest, [&] { verdict = searches_[j]->conclude(allBut(j)); });
+      if (isLoud(j, verdict)) verdict = searchedQuietly(j, std::move(verdict));
       return pack(verdict);
     });
   });

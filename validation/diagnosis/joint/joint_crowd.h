@@ -88,6 +88,8 @@ class JointCrowd {
                                        const std::vector<JointVerdict>& verdicts) const;
   JointVerdict searchedAnew(std::size_t joint, const std::vector<JointVerdict>& verdicts);
   void searchAbove(std::vector<JointVerdict>& verdicts);
+  bool isLoud(std::size_t joint, const JointVerdict& verdict) const;
+  JointVerdict searchedQuietly(std::size_t joint, JointVerdict loud) const;
   std::string unitOf(std::size_t joint, const std::string& question) const;
   void tell() const;
 
@@ -98,6 +100,7 @@ class JointCrowd {
   std::vector<JointLooks> looks_;
   std::vector<Done> done_;
   std::string step_;
+  bool given_ = false;  // whether joints take something for given
 };
 
 }  // namespace nao::validation

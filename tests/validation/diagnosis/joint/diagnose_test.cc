@@ -9,7 +9,7 @@
 
 #include "tests/core/temporary_folder.h"
 #include "tests/validation/diagnosis/thread_team.h"
-#include "tests/validation/diagnosis/toy_joint.h"
+#include "tests/validation/diagnosis/toy_search.h"
 #include "validation/diagnosis/report/diagnosis_json.h"
 
 namespace nao::validation {
@@ -114,6 +114,26 @@ TEST(Diagnose, TellsThatRepeatsScatterOtherwiseThanTheRobotsFileSays) {
   EXPECT_NE(said(0.5).find("process_noise: its repeats scatter"), std::string::npos);
   EXPECT_NE(said(0.5).find("2.0 times those of the robot's file"), std::string::npos);
   EXPECT_EQ(said(1).find("process_noise"), std::string::npos);
+}
+
+// An elbow stuck with 1.5 N m and slipped by chance: as noise of 0.5 N m, under which it would not
+// stick, so that nothing was found to be like it.
+TEST(Diagnose, ALawThatMakesMuchOfLittleChanceIsNoNoise) {
+  ToyLaws laws;
+  laws.stribeck = 0.4;
+  const ToyJoint toy(laws, 1, test::kToyNoise, 6, 3);
+  DiagnosisOptions options;
+  options.effort = test::quick();
+  JointTask task{&toy, test::kToyNoise, {}};
+  task.noise.torque_sd *= 16;  // as if fitted to such repeats
+  EXPECT_EQ(diagnoseJoints({task}, test::toyCauses(), options).verdict, Verdict::PartlyExplained);
+  task.nominal = test::kToyNoise;
+  const SetDiagnosis found = diagnoseJoints({task}, test::toyCauses(), options);
+  EXPECT_EQ(found.verdict, Verdict::Named);
+  ASSERT_EQ(found.joints[0].findings.size(), 1u);
+  EXPECT_EQ(found.joints[0].findings[0].cause, "stribeck_friction");
+  EXPECT_LE(found.joints[0].findings[0].numbers[0].low, 0.4);
+  EXPECT_GE(found.joints[0].findings[0].numbers[0].high, 0.4);
 }
 
 // A joint that counts what is simulated.
