@@ -109,6 +109,20 @@ void write(std::ostream& out, const std::string& who, const Finding& finding) {
   if (!finding.record.empty()) out << "  such statements before: " << finding.record << "\n";
 }
 
+// What a verdict of `unknown` or `partly_explained` leaves open.
+std::string unexplainedBy(const JointVerdict& joint) {
+  std::ostringstream out;
+  if (joint.verdict == Verdict::PartlyExplained && joint.remainder_critical > 0 &&
+      !joint.remains()) {
+    out << "a part is explained by a cause too small to be of interest alone, which may stand in "
+           "for one that is in no catalogue";
+  } else {
+    out << "something remains that no cause of the catalogue explains (misfit "
+        << joint.misfit_after << " of the noise floor)";
+  }
+  return out.str();
+}
+
 }  // namespace
 
 std::string toJson(const SetDiagnosis& diagnosis, const Provenance& provenance) {
@@ -145,8 +159,7 @@ std::string toText(const SetDiagnosis& diagnosis) {
   for (const JointVerdict& joint : diagnosis.joints) {
     for (const Finding* finding : joint.named()) write(out, joint.joint, *finding);
     if (joint.verdict == Verdict::Unknown || joint.verdict == Verdict::PartlyExplained) {
-      out << joint.joint << ": something remains that no cause of the catalogue explains (misfit "
-          << joint.misfit_after << " of the noise floor)";
+      out << joint.joint << ": " << unexplainedBy(joint);
       if (!joint.signature.empty()) out << "; it goes with " << joint.signature;
       out << "\n";
       if (!joint.record.empty()) out << "  such statements before: " << joint.record << "\n";

@@ -116,6 +116,20 @@ TEST(Diagnose, TellsThatRepeatsScatterOtherwiseThanTheRobotsFileSays) {
   EXPECT_EQ(said(1).find("process_noise"), std::string::npos);
 }
 
+TEST(Diagnose, TellsARemainderFromACauseTooSmallToExplainOne) {
+  SetDiagnosis diagnosis;
+  JointVerdict joint;
+  joint.verdict = Verdict::PartlyExplained;
+  joint.remainder_critical = 2.5;
+  for (const double score : {9.0, 0.2}) {
+    joint.remainder_score = score;
+    diagnosis.joints = {joint};
+    const std::string said = toText(diagnosis);
+    EXPECT_EQ(said.find("something remains") != std::string::npos, score > 2.5) << said;
+    EXPECT_EQ(said.find("too small to be of interest") != std::string::npos, score < 2.5) << said;
+  }
+}
+
 // An elbow stuck with 1.5 N m and slipped by chance: as noise of 0.5 N m, under which it would not
 // stick, so that nothing was found to be like it.
 TEST(Diagnose, ALawThatMakesMuchOfLittleChanceIsNoNoise) {

@@ -99,16 +99,19 @@ TEST(JointSearch, GoesOnByExactRunsWhereTheyLeaveMoreThanChance) {
   EXPECT_NEAR(verdict.named()[0]->numbers[0].deviation, 1.8, 0.01 * 1.8);
 }
 
-// A hold whose coarse steps tick a ten thousandth late: told beside a remainder. So was an elbow's
-// of 10.703 ms, as 10.7016, beside a friction and late readings.
-TEST(JointSearch, MeetsAHoldsBeatByExactRuns) {
-  ToyLaws laws;
+// With a hold whose coarse steps tick a ten thousandth late.
+Mirage lateTicks(ToyLaws laws) {
   laws.hold = 0.0094;
   laws.sent = 0.01;
-  const Mirage mirage(laws, [](EffectSetting& cause) {
+  return Mirage(laws, [](EffectSetting& cause) {
     if (cause.name == "command_hold") cause.parameters["interval"] *= 1.0001;
   });
-  const JointVerdict verdict = diagnoseBy(mirage, {"command_hold"});
+}
+
+// It was told beside a remainder. So was an elbow's of 10.703 ms, as 10.7016, beside a friction and
+// late readings.
+TEST(JointSearch, MeetsAHoldsBeatByExactRuns) {
+  const JointVerdict verdict = diagnoseBy(lateTicks({}), {"command_hold"});
   EXPECT_EQ(verdict.verdict, Verdict::Named);
   ASSERT_EQ(verdict.named().size(), 1u);
   EXPECT_NEAR(verdict.named()[0]->numbers[0].deviation, 0.0094, 3e-7);
@@ -117,14 +120,8 @@ TEST(JointSearch, MeetsAHoldsBeatByExactRuns) {
 // Nor were a head's stop and hold of 7.5 ms told: 0.001 ms off it explained nothing by exact runs,
 // a friction was taken for it, and what had been found had to go.
 TEST(JointSearch, MeetsAHoldsBeatByExactRunsBesideAFirstCauseToo) {
-  ToyLaws laws = softServo();
-  laws.hold = 0.0094;
-  laws.sent = 0.01;
-  const Mirage mirage(laws, [](EffectSetting& cause) {
-    if (cause.name == "command_hold") cause.parameters["interval"] *= 1.0001;
-  });
   std::map<std::string, double> told;
-  const JointVerdict verdict = diagnoseBy(mirage, {"kp_error", "command_hold"});
+  const JointVerdict verdict = diagnoseBy(lateTicks(softServo()), {"kp_error", "command_hold"});
   for (const Finding* one : verdict.named()) told[one->cause] = one->numbers[0].deviation;
   EXPECT_EQ(verdict.verdict, Verdict::Named);
   ASSERT_EQ(told.size(), 2u);
