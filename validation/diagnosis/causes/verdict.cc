@@ -73,6 +73,14 @@ bool mayBeSmall(double low, double high, double smallest) {
   return low < smallest && high > -smallest;
 }
 
+double smallestTogether(const std::string& cause, double smallest,
+                        const std::vector<Rival>& rivals) {
+  const auto same = std::count_if(rivals.begin(), rivals.end(), [&](const Rival& rival) {
+    return rival.cause.rfind(cause + " at ", 0) == 0;
+  });
+  return smallest * std::sqrt(1.0 + static_cast<double>(same));
+}
+
 std::string valueText(const FoundNumber& number) { return textOf(number.value, number.unit); }
 
 std::string intervalText(const FoundNumber& number) {

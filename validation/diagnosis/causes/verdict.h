@@ -50,6 +50,12 @@ struct Rival {
   double behind = 0;  // [nats] of gain
 };
 
+/// Size of interest of a cause of which equal robots have a little, up to `smallest`, at every
+/// place: where the same at other places explains the data as well, chance adds up what all of
+/// them have. Such rivals are named "cause at PLACE".
+double smallestTogether(const std::string& cause, double smallest,
+                        const std::vector<Rival>& rivals);
+
 /// Which of several candidates explains data best that were made with one of them: share[i][j] of
 /// the sets made with causes[i] were explained best by causes[j].
 struct Confusion {

@@ -86,8 +86,11 @@ PlacedFinding WholeSearch::finding(std::size_t place, const Eigen::MatrixXd& dra
   found.held_out_gain = accepted.held_out;
   found.one_motion_only = accepted.folds == 0 || isOfOneMotion();
   const FoundNumber& size = found.numbers[0];
-  found.small = mayBeSmall(size.low, size.high, cause.cause.free[0].smallest);
   found.rivals = accepted.rivals;
+  const double smallest = cause.cause.free[0].smallest;
+  found.small = mayBeSmall(
+      size.low, size.high,
+      cause.cause.spread > 0 ? smallestTogether(found.cause, smallest, found.rivals) : smallest);
   found.sentence = cause.sentence(valueText(found.numbers[0]));
   found.experiment = cause.cause.separate;
   return {found, cause.place};

@@ -48,6 +48,18 @@ TEST(Findings, TellWhatTheirSizeIsIfAllElseIsAsFound) {
             "7.7 ms to 12.5 ms; if all else is as found, 12.1 ms to 12.5 ms");
 }
 
+// A robot that kicked, with zeros off by less than a tenth of a degree at every joint: its stance
+// was as of one encoder turned by 0.4 degrees, at any of four joints (-9.0 to -4.9 mrad).
+TEST(Findings, AreNotOfInterestWhereEqualRobotsAddUpToThem) {
+  const double smallest = 0.0035;
+  const std::vector<Rival> same(3, {"encoder_offset at RHipPitch", {}, 0});
+  EXPECT_FALSE(mayBeSmall(-0.0090, -0.0049, smallest));
+  EXPECT_DOUBLE_EQ(smallestTogether("encoder_offset", smallest, same), 2 * smallest);
+  EXPECT_TRUE(mayBeSmall(-0.0090, -0.0049, smallestTogether("encoder_offset", smallest, same)));
+  EXPECT_EQ(smallestTogether("kp_error", smallest, same), smallest);  // rivals of another kind
+  EXPECT_EQ(smallestTogether("encoder_offset", smallest, {}), smallest);
+}
+
 // Verdicts go from process to process and to a kept file as bytes. Without its form a limit's
 // interval was turned over no longer: 6.740 to 6.740 rad/s.
 TEST(FoundNumbers, KeepTheirFormWhenTheyAreKept) {
