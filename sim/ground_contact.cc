@@ -9,6 +9,8 @@
 namespace nao::sim {
 namespace {
 
+constexpr double kFastest = 30;  // [m/s] of any point of a robot: a Nao's limbs reach 3
+
 // The corners of a sole's outline: its farthest points along the four diagonals.
 std::array<Eigen::Vector2d, 4> cornersOf(const std::vector<Eigen::Vector2d>& outline) {
   std::array<Eigen::Vector2d, 4> corners;
@@ -141,6 +143,11 @@ void GroundContact::prepare(const std::vector<BodyMotion>& motion, const TreeDyn
   mass_ = &mass;
   touch_count_ = group_count_ = 0;
   if (terrain_.obstacleCount() > 0) terrain_.findNear(motion[0].p_WB, reach_, near_);
+  const double height = terrain_.overGround(motion[0].p_WB).distance;
+  if (near_.empty() && height > reach_ + kFastest * h) {  // it hangs
+    for (Anchor& anchor : anchors_) anchor.touching = false;
+    return;
+  }
   Terrain::Spot spot;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const BodyMotion& body = motion[static_cast<std::size_t>(points_[i].body)];
