@@ -161,7 +161,7 @@ int main(int argc, char** argv) {
   arguments.place.robots_dir = NAO_SOURCE_DIR "/robots";
   arguments.place.folder = "hidden_sets";
   arguments.at_once = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  app.add_option("--preset", arguments.preset, "quick, standard (300 sets) or full (800).")
+  app.add_option("--preset", arguments.preset, "quick, standard (300 sets) or full (950).")
       ->capture_default_str();
   app.add_option("--seed", arguments.seed, "Another number, other sets.")->capture_default_str();
   app.add_option("--shard", arguments.shard, "i/n: every n-th set, from the i-th on.")

@@ -39,6 +39,7 @@ class Dealer {
   explicit Dealer(std::uint64_t seed) : seed_(seed), random_(seed, "hidden cases") {}
 
   std::vector<HiddenCase> deal(const Counts& counts) {
+    seconds_ = counts.seconds;
     for (int i = 0; i < counts.exact_nulls; ++i) addNull(Kind::ExactNull, i);
     for (int i = 0; i < counts.near_nulls; ++i) addNull(Kind::NearNull, i);
     for (int i = 0; i < counts.singles; ++i) addSingle(i);
@@ -69,6 +70,7 @@ class Dealer {
   HiddenCase& add(Kind kind) {
     HiddenCase hidden;
     hidden.kind = kind;
+    hidden.seconds = seconds_;
     hidden.seed = 1 + static_cast<std::uint64_t>(random_.uniform() * 1e15);
     cases_.push_back(hidden);
     return cases_.back();
@@ -191,6 +193,7 @@ class Dealer {
   static constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);
   std::uint64_t seed_;
   Random random_;
+  double seconds_ = 0;  // of a motion
   std::vector<Hideout> own_ = catalogueHideouts(), likeness_ = likenessHideouts(),
                        strangers_ = strangerHideouts(), faint_ = faint(own_),
                        mujoco_ = mujocoHideouts(), limb_ = limbHideouts(), robot_ = robotHideouts();
@@ -203,7 +206,7 @@ class Dealer {
 
 Counts countsOf(const std::string& preset) {
   if (preset == "quick") return {1, 1, 4, 1, 1, 1, 5, 1, 1, 0, 1, 0, 1};
-  if (preset == "standard") return {33, 33, 118, 18, 22, 18, 14, 4, 12, 3, 9, 4, 12};
+  if (preset == "standard") return {48, 48, 108, 18, 14, 10, 18, 6, 12, 2, 5, 3, 8, 4};
   if (preset == "full") return {150, 150, 300, 60, 60, 56, 24, 20, 50, 8, 24, 12, 36};
   throw InputError("--preset: expected quick, standard or full, found '" + preset + "'");
 }
