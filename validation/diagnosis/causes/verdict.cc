@@ -76,7 +76,7 @@ bool mayBeSmall(double low, double high, double smallest) {
 double smallestTogether(const std::string& cause, double smallest,
                         const std::vector<Rival>& rivals) {
   const auto same = std::count_if(rivals.begin(), rivals.end(), [&](const Rival& rival) {
-    return rival.cause.rfind(cause + " at ", 0) == 0;
+    return rival.cause == cause && !rival.place.empty();
   });
   return smallest * std::sqrt(1.0 + static_cast<double>(same));
 }

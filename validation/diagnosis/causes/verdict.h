@@ -46,13 +46,22 @@ std::string sizeIntervalText(const Finding& finding);
 /// Another cause that explains the data about as well.
 struct Rival {
   std::string cause;
+  std::string effect;  // of the catalogue; empty: what has no name
+  std::string place;   // empty: where its finding is
   std::vector<FoundNumber> numbers;
   double behind = 0;  // [nats] of gain
+
+  /// "kp_error"; of a rival elsewhere "kp_error at LHipRoll".
+  std::string label() const { return place.empty() ? cause : cause + " at " + place; }
+  bool hasName() const { return !effect.empty(); }
 };
+
+/// What is in no catalogue, as a rival of what is.
+inline Rival whatHasNoName() { return {"unknown", "", "", {}, 0}; }
 
 /// Size of interest of a cause of which equal robots have a little, up to `smallest`, at every
 /// place: where the same at other places explains the data as well, chance adds up what all of
-/// them have. Such rivals are named "cause at PLACE".
+/// them have.
 double smallestTogether(const std::string& cause, double smallest,
                         const std::vector<Rival>& rivals);
 

@@ -33,8 +33,7 @@ class Reader {
   void add(const Json& cause, const std::string& place, Ambiguity& to) const {
     const std::string label = cause.at("cause");
     const ReportedCause what(label);
-    EffectSetting setting = neutralSetting(
-        cause.value("effect", what.id.substr(0, what.id.find('.'))), sim::standardEffects());
+    EffectSetting setting = neutralSetting(effectOf(cause), sim::standardEffects());
     setting.joints = jointsAt(what.place.empty() ? place : what.place, file_, model_);
     if (level_ == "joint" && setting.joints.size() != 1) {
       throw InputError(file_ + ": expected a joint at joint level, found '" + place + "'");

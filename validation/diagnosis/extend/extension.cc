@@ -38,8 +38,7 @@ InputError noSuchNumber(const std::string& file, const EffectSetting& setting, c
 // A report gives the numbers that were fitted; what was not is as if switched off.
 EffectSetting settingOf(const Json& cause, const std::vector<Joint>& joints,
                         const std::string& file) {
-  const std::string id = cause.at("cause");
-  const std::string effect = cause.value("effect", id.substr(0, id.find('.')));
+  const std::string effect = effectOf(cause);
   if (sim::standardEffects().find(effect) == nullptr) {
     throw InputError(file + ": '" + effect + "' is no effect of the catalogue");
   }
@@ -57,15 +56,16 @@ EffectSetting settingOf(const Json& cause, const std::vector<Joint>& joints,
 /// Takes effects out of a report, one finding after the other.
 class Acceptance {
  public:
-  Acceptance(std::string file, const std::vector<std::string>& causes)
-      : file_(std::move(file)), wanted_(causes.begin(), causes.end()) {}
+  Acceptance(std::string file, const std::vector<std::string>& causes, const RobotModel& model)
+      : file_(std::move(file)), model_(model), wanted_(causes.begin(), causes.end()) {}
 
   void takeFrom(const Json& finding, const std::vector<Joint>& joints) {
     held_.insert(finding.at("cause").get<std::string>());
     if (wants(finding)) return take(finding, joints);
     for (const Json& rival : finding.at("rivals")) {
+      if (rival.at("numbers").empty()) continue;  // what has no name
       held_.insert(rival.at("cause").get<std::string>());
-      if (wanted_.count(rival.at("cause")) > 0) return take(rival, joints);
+      if (wanted_.count(rival.at("cause")) > 0) return take(rival, jointsOf(rival, joints));
     }
   }
 
@@ -84,6 +84,11 @@ class Acceptance {
   }
 
  private:
+  std::vector<Joint> jointsOf(const Json& rival, const std::vector<Joint>& beside) const {
+    const ReportedCause what(rival.at("cause"));
+    return what.place.empty() ? beside : jointsAt(what.place, file_, model_);
+  }
+
   bool wants(const Json& finding) const {
     if (!wanted_.empty()) return wanted_.count(finding.at("cause")) > 0;
     return finding.at("rivals").empty() && !finding.value("below_size_of_interest", false);
@@ -94,6 +99,7 @@ class Acceptance {
   }
 
   std::string file_;
+  const RobotModel& model_;
   std::set<std::string> wanted_, held_;
   std::vector<EffectSetting> settings_;
 };
@@ -146,7 +152,7 @@ std::vector<Json> smallOnes(const Json& joint) {
 
 std::vector<EffectSetting> acceptedEffects(const std::string& report_file, const Accepted& accepted,
                                            const RobotModel& model) {
-  Acceptance acceptance(report_file, accepted.causes);
+  Acceptance acceptance(report_file, accepted.causes, model);
   readReport(report_file, [&](const Json& report) {
     requireRobot(report, accepted.robot_id, report_file);
     for (const Json& finding : report.at("shared")) {

@@ -84,9 +84,10 @@ class FoldSearch {
     for (const FoldTried& other : tried) {
       const double behind = other.model.errors.mean() - chosen.model.errors.mean();
       if (other.cause == chosen.cause || behind > kSame * gain || behind < 0) continue;
-      rivals_[chosen.cause].push_back(
-          {causes_[other.cause].id, foundNumbers(causes_[other.cause], other.model.of_all.back().x),
-           1e3 * behind});
+      const Cause& cause = causes_[other.cause];
+      rivals_[chosen.cause].push_back({cause.id, cause.effect, "",
+                                       foundNumbers(cause, other.model.of_all.back().x),
+                                       1e3 * behind});
     }
   }
 

@@ -24,9 +24,8 @@ SharedFinding describe(const SharedCause& shared, const std::vector<Cause>& caus
   found.finding.experiment = cause.separate;
   found.finding.sentence = cause.fill("every joint", valueText(found.finding.numbers[0]));
   for (const auto& [rival, x, place] : shared.rivals) {
-    const std::string where = place.empty() ? "" : " at " + place;
     found.finding.rivals.push_back(
-        {causes[rival].id + where, {numberOf(causes[rival], x, x, x)}, 0});
+        {causes[rival].id, causes[rival].effect, place, {numberOf(causes[rival], x, x, x)}, 0});
   }
   return found;
 }
@@ -38,7 +37,7 @@ void doubt(SharedFinding& shared, const std::vector<JointVerdict>& joints) {
     return;
   }
   Finding& finding = shared.finding;
-  finding.rivals.push_back({"unknown", {}, 0});
+  finding.rivals.push_back(whatHasNoName());
   if (finding.rivals.size() == 1) finding.experiment = "look at the signature of what remains";
 }
 

@@ -24,7 +24,7 @@ constexpr double kLeans = 0.1;   // of the greatest gain: missed
 constexpr double kMostly = 0.9;  // of a misfit's excess: what explains it is more than a stand-in
 
 void doubt(Finding& finding, const std::string& experiment) {
-  finding.rivals.push_back({"unknown", {}, 0});
+  finding.rivals.push_back(whatHasNoName());
   if (finding.rivals.size() == 1) finding.experiment = experiment;
 }
 
@@ -140,7 +140,8 @@ Finding JointSearch::findingOf(std::size_t place) const {
   finding.one_motion_only = chosen.validation.oneMotionOnly();
   for (const Candidate& rival : chosen.rivals) {
     const Cause& other = causes_[rival.cause];
-    finding.rivals.push_back({other.id, foundNumbers(other, rival.x), chosen.gain - rival.gain});
+    finding.rivals.push_back(
+        {other.id, other.effect, "", foundNumbers(other, rival.x), chosen.gain - rival.gain});
   }
   finding.confusion = chosen.confusion;
   finding.sentence = cause.fill(joint_.joint(), valueText(finding.numbers[0]));

@@ -6,7 +6,7 @@
 namespace nao::validation {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FoundNumber, parameter, unit, value, deviation, low, high, form)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Rival, cause, numbers, behind)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Rival, cause, effect, place, numbers, behind)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProfilePoint, deviation, lost)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Confusion, causes, share)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StatementKind, level, verdict, size, signals, repeats)

@@ -40,7 +40,8 @@ Json toJson(const StatementKind& kind, const std::string& record) {
 Json toJson(const Finding& finding) {
   Json rivals = Json::array();
   for (const Rival& rival : finding.rivals) {
-    rivals.push_back({{"cause", rival.cause},
+    rivals.push_back({{"cause", rival.label()},
+                      {"effect", rival.effect},
                       {"numbers", toJson(rival.numbers)},
                       {"behind_nats", rival.behind}});
   }
@@ -102,7 +103,7 @@ void write(std::ostream& out, const std::string& who, const Finding& finding) {
     out << " (90 %: " << sizeIntervalText(finding) << ")";
   }
   out << ": " << finding.cause;
-  for (const Rival& rival : finding.rivals) out << " or " << rival.cause;
+  for (const Rival& rival : finding.rivals) out << " or " << rival.label();
   if (!finding.rivals.empty()) out << "; to tell them apart: " << finding.experiment;
   if (finding.one_motion_only) out << " (seen in one motion only)";
   out << "\n";

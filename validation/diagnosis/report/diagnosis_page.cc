@@ -38,7 +38,7 @@ std::string headline(const SetDiagnosis& diagnosis, const std::vector<Examined>&
     const std::string robot = ReportedPlace(joint.verdict->joint).robot_id;
     for (const Finding* finding : named) {
       text += (robot.empty() ? "" : robot + ": ") + finding->sentence;
-      for (const Rival& rival : finding->rivals) text += ", or " + rival.cause;
+      for (const Rival& rival : finding->rivals) text += ", or " + rival.label();
       text += finding == named.back() ? " (" + gainText(joint) + "). " : "; ";
     }
     const Verdict word = joint.verdict->verdict;
@@ -80,7 +80,7 @@ TextTable findingsOf(const JointVerdict& joint) {
       values += number.parameter + " " + valueText(number) + " ";
       intervals += (intervals.empty() ? sizeIntervalText(finding) : intervalText(number)) + " ";
     }
-    for (const Rival& rival : finding.rivals) rivals += rival.cause + " ";
+    for (const Rival& rival : finding.rivals) rivals += rival.label() + " ";
     if (finding.one_motion_only) rivals += "(seen in one motion only)";
     table.lines.push_back(
         {finding.cause + (finding.small ? " (perhaps too small to matter)" : ""), values, intervals,

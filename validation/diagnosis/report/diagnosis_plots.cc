@@ -25,19 +25,12 @@ EffectSetting settingOf(const Finding& finding) {
   return settingOf(finding.effect, finding.numbers);
 }
 
-// The rival of a finding that may stand in its place; null: none has numbers.
+// The rival of a finding that may stand in its place; null: none has a name, or all are elsewhere.
 const Rival* rivalOf(const Finding& finding) {
   for (const Rival& rival : finding.rivals) {
-    if (!rival.numbers.empty()) return &rival;
+    if (rival.hasName() && rival.place.empty()) return &rival;
   }
   return nullptr;
-}
-
-std::string effectOf(const std::string& cause) {
-  for (const Cause& one : jointCauses()) {
-    if (one.id == cause) return one.effect;
-  }
-  return "";
 }
 
 Series curve(const std::string& label, double dt, const Eigen::VectorXd& angle, Ink ink,
@@ -86,10 +79,9 @@ std::pair<std::string, std::vector<EffectSetting>> rivalEffects(const SetDiagnos
   std::vector<EffectSetting> effects = foundEffects(diagnosis, joint, place);
   for (std::size_t i = 0; i < joint.findings.size(); ++i) {
     const Rival* rival = rivalOf(joint.findings[i]);
-    const std::string effect = rival ? effectOf(rival->cause) : "";
-    if (effect.empty()) continue;
+    if (rival == nullptr) continue;
     EffectSetting& setting = effects[diagnosis.shared.size() + i];
-    setting = settingOf(effect, rival->numbers);
+    setting = settingOf(rival->effect, rival->numbers);
     setting.joints = place;
     return {rival->cause, effects};
   }

@@ -41,6 +41,11 @@ ReportedCause::ReportedCause(const std::string& text) {
   if (at != std::string::npos) place = text.substr(at + sizeof kAt - 1);
 }
 
+std::string effectOf(const nlohmann::json& cause) {
+  const ReportedCause what(cause.at("cause"));
+  return cause.value("effect", what.id.substr(0, what.id.find('.')));
+}
+
 std::vector<Joint> jointsAt(const std::string& place, const std::string& file,
                             const RobotModel& model) {
   if (place == "robot") return {};

@@ -30,6 +30,10 @@ struct ReportedCause {
   std::string id, place;  // place empty: where its finding is
 };
 
+/// The effect of a finding, an adjustment or a rival; where none is written, its cause's id says
+/// it.
+std::string effectOf(const nlohmann::json& cause);
+
 /// The joints of a place of this report; none: all that the robot has.
 /// @throws InputError for a place that the robot does not have.
 std::vector<Joint> jointsAt(const std::string& place, const std::string& file,

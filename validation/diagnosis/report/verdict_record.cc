@@ -32,10 +32,10 @@ std::string classOf(int repeats) {
 }
 
 std::string wordOf(const Finding& finding) {
-  const auto unknown = [](const Rival& rival) { return rival.cause == "unknown"; };
+  const auto named = [](const Rival& rival) { return rival.hasName(); };
   if (finding.rivals.empty()) return "named";
-  return std::any_of(finding.rivals.begin(), finding.rivals.end(), unknown) ? "partly_explained"
-                                                                            : "ambiguous";
+  return std::all_of(finding.rivals.begin(), finding.rivals.end(), named) ? "ambiguous"
+                                                                          : "partly_explained";
 }
 
 std::string counted(const Outcomes& outcomes) {

@@ -104,9 +104,8 @@ bool WholeSearch::isOfOneMotion() const {
   });
 }
 
-std::string WholeSearch::labelOf(std::size_t cause, const std::string& beside) const {
-  const PlacedCause& of = placed(cause);
-  return of.place == beside ? of.cause.id : of.cause.id + " at " + of.place;
+std::string WholeSearch::labelOf(std::size_t cause) const {
+  return placed(cause).cause.id + " at " + placed(cause).place;
 }
 
 // The three signals that remain most, by what they have beyond noise.

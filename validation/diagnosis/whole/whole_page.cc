@@ -9,7 +9,7 @@ std::string headline(const WholeDiagnosis& diagnosis) {
   for (const JointVerdict& place : diagnosis.set.joints) {
     for (const Finding* finding : place.named()) {
       text += place.joint + ": " + finding->sentence;
-      for (const Rival& rival : finding->rivals) text += ", or " + rival.cause;
+      for (const Rival& rival : finding->rivals) text += ", or " + rival.label();
       text += ". ";
     }
     if (place.remainder_critical > 0 && place.remainder_score > place.remainder_critical) {
@@ -42,7 +42,7 @@ TextTable findingsOf(const WholeDiagnosis& diagnosis) {
         values += number.parameter + " " + valueText(number) + " ";
         intervals += intervalText(number) + " ";
       }
-      for (const Rival& rival : finding.rivals) rivals += rival.cause + " ";
+      for (const Rival& rival : finding.rivals) rivals += rival.label() + " ";
       if (finding.one_motion_only) rivals += "(no block held back shows it)";
       table.lines.push_back(
           {place.joint, finding.cause + (finding.small ? " (perhaps too small)" : ""), values,

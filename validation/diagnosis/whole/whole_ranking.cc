@@ -90,7 +90,7 @@ std::vector<WholeModel> WholeSearch::worthAFit(const std::vector<Candidate>& alo
     if (worth || provisionalOf(one.cause) != nullptr) {
       kept.push_back(one.fit.model);
     } else {
-      rejected_.push_back({labelOf(one.cause, ""), one.gain, "others promise more"});
+      rejected_.push_back({labelOf(one.cause), one.gain, "others promise more"});
     }
   }
   return kept;
@@ -136,7 +136,7 @@ std::vector<std::vector<WholeChosen>> WholeSearch::finalists() {
     if (one.gain >= least && static_cast<int>(all.size()) < task_.effort.finalists) {
       all.push_back(beginningsOf(*one.look, one.scale));
     } else if (one.gain > critical_ / 3 && provisionalOf(one.look->cause) == nullptr) {
-      rejected_.push_back({labelOf(one.look->cause, ""), one.gain,
+      rejected_.push_back({labelOf(one.look->cause), one.gain,
                            chance ? "below the threshold" : "others promise more"});
     }
   }
@@ -168,7 +168,7 @@ std::vector<WholeSearch::Candidate> WholeSearch::rank() {
   auto beginnings = finalists();
   if (!beginnings.empty()) tell("fitting " + std::to_string(beginnings.size()) + " causes");
   if (task_.data->used() > task_.granted) {
-    for (const auto& one : beginnings) not_tried_.push_back(labelOf(one.front().cause, ""));
+    for (const auto& one : beginnings) not_tried_.push_back(labelOf(one.front().cause));
     beginnings.clear();
   }
   std::vector<WholeModel> models(beginnings.size());
@@ -195,7 +195,9 @@ std::vector<Rival> WholeSearch::rivalsOf(const std::vector<Candidate>& ranking,
     const double behind = best.gain - other.gain;
     if (&other == &best || other.gain <= critical_ || (behind < 0 && !preferred)) continue;
     if (behind > reachOf(best, other)) continue;
-    rivals.push_back({labelOf(other.cause, placed(best.cause).place),
+    const PlacedCause& of = placed(other.cause);
+    rivals.push_back({of.cause.id, of.cause.effect,
+                      of.place == placed(best.cause).place ? "" : of.place,
                       numbersOf(other.fit.model.back()), behind});
   }
   return rivals;
@@ -238,7 +240,7 @@ void WholeSearch::lookAtProvisional() {
 HandedOnFate WholeSearch::fateOf(std::size_t number) const {
   const Provisional& one = provisional_[number];
   HandedOnFate fate{one.was, numbersOf(one.chosen).front(), {}, would_show_[number], ""};
-  const std::string label = labelOf(one.chosen.cause, "");
+  const std::string label = labelOf(one.chosen.cause);
   for (const WholeChosen& chosen : fit_.model) {
     if (chosen.cause != one.chosen.cause) continue;
     fate.now = numbersOf(chosen).front();

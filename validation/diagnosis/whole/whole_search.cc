@@ -58,7 +58,7 @@ void WholeSearch::enter(const WholeFit& fit) {
   stage_ = std::make_unique<WholeStage>(task_, fit_.model, fit_.jacobian, stage_.get());
   critical_ = quantile(stage_->nullGains(), 1 - false_alarms_);
   spread_of_gain_ = std::max(1.0, critical_ / kWhiteThreshold);
-  for (const std::size_t cause : stage_->notTried()) not_tried_.push_back(labelOf(cause, ""));
+  for (const std::size_t cause : stage_->notTried()) not_tried_.push_back(labelOf(cause));
   fit_.residual = stage_->whitenFit(simulatedResidual(task_, *stage_, fit_.model, Blocks::Fit));
   fit_.cost = fit_.residual.squaredNorm() / 2;
 }
@@ -113,7 +113,7 @@ bool WholeSearch::accept(const std::vector<Candidate>& ranking) {
         candidate.gain > critical_ ? heldOut(fit_.model, candidate.fit.model) : 0;
     const std::string reason = objection(candidate, held_out);
     if (!reason.empty()) {
-      rejected_.push_back({labelOf(candidate.cause, ""), candidate.gain, reason});
+      rejected_.push_back({labelOf(candidate.cause), candidate.gain, reason});
       continue;
     }
     const double noise = task_.noise.torque;
@@ -171,8 +171,8 @@ void WholeSearch::compareAgain() {
     const double held_out = heldOut(less, one.fit.model);
     if (held_out <= 0 || one.gain <= critical_) continue;
     if (one.cause != all.front().cause) {
-      rejected_.push_back({labelOf(all.front().cause, ""), accepted_.back().gain,
-                           "replaced by " + labelOf(one.cause, "") + ", as less noise is left"});
+      rejected_.push_back({labelOf(all.front().cause), accepted_.back().gain,
+                           "replaced by " + labelOf(one.cause) + ", as less noise is left"});
     }
     gained_ -= accepted_.back().gain;
     accepted_.pop_back();
@@ -221,7 +221,7 @@ void WholeSearch::review() {
     WholeFit less = fitModel(task_, *stage_, without);
     const double gain = less.cost - fit_.cost;
     if (gain < critical_) {
-      rejected_.push_back({labelOf(fit_.model[place].cause, ""), gain, "no longer needed"});
+      rejected_.push_back({labelOf(fit_.model[place].cause), gain, "no longer needed"});
       dropped_.insert(fit_.model[place].cause);
       accepted_.erase(accepted_.begin() + static_cast<std::ptrdiff_t>(place));
       addJacobian(task_, less, stage_.get());
@@ -243,8 +243,8 @@ bool WholeSearch::swapOne(std::size_t place) {
     swapped[place] = other;
     WholeFit fit = fitModel(task_, *stage_, swapped);
     if (fit.cost > fit_.cost - 3 * spread_of_gain_) continue;
-    rejected_.push_back({labelOf(fit_.model[place].cause, ""), fit.cost - fit_.cost,
-                         "replaced by " + labelOf(other.cause, "")});
+    rejected_.push_back({labelOf(fit_.model[place].cause), fit.cost - fit_.cost,
+                         "replaced by " + labelOf(other.cause)});
     accepted_[place].rivals.clear();
     addJacobian(task_, fit, stage_.get());
     enter(fit);

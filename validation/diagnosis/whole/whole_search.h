@@ -97,7 +97,7 @@ class WholeSearch {
   double reachOf(const Candidate& best, const Candidate& other) const;
   std::vector<Rival> rivalsOf(const std::vector<Candidate>& ranking, const Candidate& best) const;
   const PlacedCause& placed(std::size_t cause) const { return (*task_.causes)[cause]; }
-  std::string labelOf(std::size_t cause, const std::string& beside) const;
+  std::string labelOf(std::size_t cause) const;
   std::vector<FoundNumber> numbersOf(const WholeChosen& chosen) const;
   void tell(const std::string& what) const;
 

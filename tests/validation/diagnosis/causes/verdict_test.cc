@@ -53,7 +53,7 @@ TEST(Findings, TellWhatTheirSizeIsIfAllElseIsAsFound) {
 // (-9.0 to -4.9 mrad).
 TEST(Findings, AreNotOfInterestWhereEqualRobotsAddUpToThem) {
   const double smallest = 0.0035;
-  const std::vector<Rival> same(3, {"encoder_offset at RHipPitch", {}, 0});
+  const std::vector<Rival> same(3, {"encoder_offset", "encoder_offset", "RHipPitch", {}, 0});
   EXPECT_FALSE(mayBeSmall(-0.0090, -0.0049, smallest));
   EXPECT_DOUBLE_EQ(smallestTogether("encoder_offset", smallest, same), 2 * smallest);
   EXPECT_TRUE(mayBeSmall(-0.0090, -0.0049, smallestTogether("encoder_offset", smallest, same)));

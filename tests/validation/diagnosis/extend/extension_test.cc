@@ -103,6 +103,20 @@ std::string told(const std::string& place, const std::string& cause, const std::
          R"(", "rivals": [], "numbers": [{"parameter": ")" + number + R"(", "value": 0.5}]}]})";
 }
 
+TEST_F(ExtensionTest, PutsARivalWhereItIs) {
+  isReported(R"({"joint": "LHipPitch", "findings": [
+    {"cause": "kp_error", "numbers": [{"parameter": "part", "value": 0.2}], "rivals": [
+      {"cause": "kp_error at LHipRoll", "effect": "kp_error",
+       "numbers": [{"parameter": "part", "value": 0.3}]},
+      {"cause": "unknown", "effect": "", "numbers": []}]}]})");
+  const std::vector<EffectSetting> effects = accept({"kp_error at LHipRoll"});
+  ASSERT_EQ(effects.size(), 1u);
+  EXPECT_EQ(effects[0].name, "kp_error");
+  EXPECT_EQ(effects[0].parameters.at("part"), 0.3);
+  EXPECT_THAT(effects[0].joints, ElementsAre(*model_->findJoint("LHipRoll")));
+  EXPECT_THROW(accept({"unknown"}), InputError);  // --empirical takes what has no name
+}
+
 TEST_F(ExtensionTest, TakesWhatTheWholeRobotAndALegHave) {
   isReported(told("robot", "ground_friction", "scale") + ", " + told("LLeg", "kp_error", "part") +
              ", " + told("LHipPitch", "encoder_offset", "angle"));

@@ -22,8 +22,9 @@ class Examined : public testing::Test {
     Finding& finding = verdict.findings[0];
     finding.effect = finding.cause = "kp_error";
     finding.numbers = {{"part", "", -0.5, -0.5, -0.5, -0.5}};
-    finding.rivals = {{"unknown", {}, 0},
-                      {"command_latency", {{"delay", "s", 0.02, 0.02, 0.02, 0.02}}, 1}};
+    finding.rivals = {
+        whatHasNoName(),
+        {"command_latency", "command_latency", "", {{"delay", "s", 0.02, 0.02, 0.02, 0.02}}, 1}};
   }
   static test::ToyLaws weak() {
     test::ToyLaws laws;

@@ -57,8 +57,8 @@ TEST(VerdictRecords, EveryFindingOfInterestShowsItsOwn) {
   joint.findings.resize(4);
   for (Finding& finding : joint.findings) finding.gain = 1000;
   joint.findings[0].small = true;
-  joint.findings[1].rivals = {{"another", {}, 1}};
-  joint.findings[2].rivals = {{"unknown", {}, 0}};
+  joint.findings[1].rivals = {{"another", "another", "", {}, 1}};
+  joint.findings[2].rivals = {whatHasNoName()};
   joint.findings[3].gain = 12;
   VerdictRecords records;
   records.add({"joint", "ambiguous", "large", "angle", "5 or more"}, "own", {4, 0, 5});
