@@ -6,6 +6,7 @@
 
 #include "core/check.h"
 #include "core/suspend.h"
+#include "sim/effects/parameter.h"
 #include "validation/diagnosis/causes/whole_causes.h"
 
 namespace nao::validation {
@@ -45,9 +46,7 @@ std::vector<ListedCause> jointLevel() {
 std::vector<const sim::Parameter*> numbersOf(const Cause& cause) {
   std::vector<const sim::Parameter*> numbers;
   for (const FreeNumber& number : cause.free) {
-    for (const sim::Parameter& p : sim::standardEffects().find(cause.effect)->parameters) {
-      if (p.name == number.parameter) numbers.push_back(&p);
-    }
+    numbers.push_back(&sim::parameterOf(sim::standardEffects(), cause.effect, number.parameter));
   }
   return numbers;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/check.h"
+#include "sim/effects/parameter.h"
 #include "validation/diagnosis/ensemble/ensemble.h"
 #include "validation/diagnosis/ensemble/repeats.h"
 
@@ -187,7 +188,8 @@ class NoiseSearch {
     noise.jitter = 0;
     for (int round = 0; round < kRounds; ++round) {
       const double part = median(ratios(lastingPart(measured_), lastingPart(simulated(noise))));
-      noise.torque_sd *= std::sqrt(std::clamp(part, 0.01, 100.0));
+      const double times = std::sqrt(std::clamp(part, 0.01, 100.0));
+      noise.torque_sd = std::min(noise.torque_sd * times, most_);
     }
     MatrixXd found = simulated(noise);
     const double white = std::max(0.0, median(measured_.col(0) - found.col(0)));
@@ -212,6 +214,8 @@ class NoiseSearch {
   const JointSimulator& joint_;
   const std::vector<EffectSetting>& causes_;
   MatrixXd measured_;
+  // [N m] A joint that sticks asks for any.
+  double most_ = sim::parameterOf(sim::standardEffects(), "process_noise", "sd").max;
 };
 
 // Of the robot's file, which gives them all.

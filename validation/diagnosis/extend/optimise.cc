@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "core/check.h"
+#include "sim/effects/parameter.h"
 #include "sim/joint_rig.h"
 #include "validation/diagnosis/folds/motion_fit.h"
 #include "validation/diagnosis/jobs/team.h"
@@ -266,13 +267,7 @@ Eigen::MatrixXd jacobianOf(SetFit& set, const FitSpace& space, const std::vector
 }  // namespace
 
 const sim::Parameter& parameterOf(const FreeParameter& free) {
-  const sim::EffectType* type = sim::standardEffects().find(free.effect);
-  NAO_CHECK(type != nullptr);
-  const auto found =
-      std::find_if(type->parameters.begin(), type->parameters.end(),
-                   [&](const sim::Parameter& p) { return p.name == free.parameter; });
-  NAO_CHECK(found != type->parameters.end());
-  return *found;
+  return sim::parameterOf(sim::standardEffects(), free.effect, free.parameter);
 }
 
 std::string nameOf(const FreeParameter& free) {

@@ -6,6 +6,7 @@
 #include "core/check.h"
 #include "core/random.h"
 #include "core/world_model.h"
+#include "sim/effects/parameter.h"
 #include "sim/world.h"
 #include "validation/diagnosis/replay/gait_numbers.h"
 #include "validation/diagnosis/replay/replay_start.h"
@@ -202,7 +203,9 @@ void cut(WholeRun& run, Eigen::Index rows) {
 
 void scale(EffectSetting& effect, const char* parameter, double by) {
   const auto at = effect.parameters.find(parameter);
-  if (at != effect.parameters.end()) at->second *= by;
+  if (at == effect.parameters.end()) return;
+  const double most = sim::parameterOf(sim::standardEffects(), effect.name, parameter).max;
+  at->second = std::min(at->second * by, most);
 }
 
 // Why repeats differ, as far as it is drawn anew in every run: the floor of a set is one floor, and

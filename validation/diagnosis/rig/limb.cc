@@ -12,6 +12,10 @@
 namespace nao::validation {
 namespace {
 
+// Times nominal, that a robot's neighbours are shaken at most: a joint that scatters by more
+// sticks, slips or has play of its own.
+constexpr double kShaken = 4;
+
 // Where all joints are when the first motion begins.
 JointArray<double> firstPose(const RigSet& set) {
   JointArray<double> pose(set.model().jointCount());
@@ -132,10 +136,11 @@ MeasuredMotion Limb::measured(std::size_t motion) const {
 
 std::vector<EffectSetting> Limb::disturbances(const JointNoise& noise) const {
   const double nominal = nominalNoise(model_, joint_).torque_sd;
+  const double times = nominal > 0 ? std::min(noise.torque_sd / nominal, kShaken) : 1;
   std::vector<EffectSetting> all;
   for (std::size_t j = 0; j < model_.jointCount(); ++j) {
     JointNoise one = nominalNoise(model_, toJoint(j));
-    one.torque_sd *= nominal > 0 ? noise.torque_sd / nominal : 1;
+    one.torque_sd *= times;
     if (toJoint(j) == joint_) one = noise;
     EffectSetting setting{"process_noise", {{"sd", one.torque_sd}}, {toJoint(j)}, ""};
     if (one.torque_time > 0) setting.parameters["time"] = one.torque_time;

@@ -35,7 +35,7 @@ class Limb {
   /// What they did.
   MeasuredMotion measured(std::size_t motion) const;
   /// Random torques on the joints that `noise` of this joint leads one to expect: on its neighbours
-  /// as much more or less than nominal as on itself.
+  /// as much more or less than nominal as on itself, up to four times.
   std::vector<EffectSetting> disturbances(const JointNoise& noise) const;
   /// Effects on the robot, as far as they act here.
   std::vector<EffectSetting> effects(const std::vector<EffectSetting>& on_robot) const;

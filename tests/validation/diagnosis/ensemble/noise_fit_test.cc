@@ -67,6 +67,28 @@ TEST(FitNoise, IsNotMisledByWhatHappensInSomeSeconds) {
   EXPECT_LT(sum, 1.6);
 }
 
+// A toy that hardly feels what shakes it, as one that sticks.
+class StuckToy final : public JointSimulator {
+ public:
+  std::string joint() const override { return toy_.joint(); }
+  const std::vector<JointMotion>& measured() const override { return toy_.measured(); }
+  Eigen::MatrixXd run(const std::vector<EffectSetting>& causes, std::size_t motion,
+                      std::uint64_t stream, const JointNoise& noise) const override {
+    JointNoise little = noise;
+    little.torque_sd *= 1e-3;
+    return toy_.run(causes, motion, stream, little);
+  }
+
+ private:
+  test::ToyJoint toy_{{}, 1, kTrue};
+};
+
+// A head that stuck at 97 % less torque asked for 22 N m, and its diagnosis ended there.
+TEST(FitNoise, NamesNoTorqueThatTheEffectCanNotHave) {
+  EXPECT_EQ(fitNoise(StuckToy(), kBegin).torque_sd, 5);  // [N m] the catalogue's
+  EXPECT_EQ(fitNoise(StuckToy(), {40, 0.05, 0}).torque_sd, 5);
+}
+
 TEST(FitNoise, KnowsWhatACauseDoesToIt) {
   test::ToyLaws soft;
   soft.kp = 11;

@@ -59,6 +59,15 @@ TEST_F(ArmLoads, AreRememberedForMuchTheSameNoise) {
   EXPECT_NE(loads_->get(0, {}, {}, 2, kNoise), load);
 }
 
+// What a joint that sticks and slips scatters by says nothing about its neighbours.
+TEST_F(ArmLoads, NeighboursAreShakenByNoMoreThanRobotsAre) {
+  JointNoise loud = kNoise;
+  loud.torque_sd = 5;
+  for (const EffectSetting& shaken : limb_->disturbances(loud)) {
+    EXPECT_LE(shaken.parameters.at("sd"), shaken.joints[0] == limb_->joint() ? 5 : 4 * 0.03);
+  }
+}
+
 // Twice as heavy a link weighs along the motion without what it weighs along its own, where the arm
 // sags further: to a tenth of the difference that it makes.
 TEST_F(ArmLoads, AlongTheMotionWithoutAMassAreWhatTheyAreAlongItsOwn) {
