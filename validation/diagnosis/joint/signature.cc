@@ -28,45 +28,81 @@ struct Along {
   Eigen::MatrixXd x, xx;
 };
 
-// What remains of every motion.
+// Of several motions.
+struct Products {
+  Eigen::MatrixXd xx;
+  Eigen::VectorXd xy;
+
+  Eigen::VectorXd fit() const {
+    Eigen::MatrixXd more = xx;
+    more.diagonal() *= 1 + 1e-9;  // columns may be all but the same
+    return more.ldlt().solve(xy);
+  }
+};
+
+// What remains of every motion, however large the model's own causes are.
 class Remainder {
  public:
+  explicit Remainder(Columns own) : own_(std::move(own)) {}
   /// `torque` of one motion, as its features by the SD of noise.
   void add(const std::shared_ptr<const Along>& along, const Eigen::VectorXd& torque) {
     motions_.push_back({along, along->x.transpose() * torque});
     excess_ += torque.squaredNorm() - static_cast<double>(torque.size());
   }
-  double excess() const { return excess_; }  // squares that noise does not account for
+  // Squares that noise does not account for.
+  double excess() const { return excess_ - std::max(0.0, byOthers(own_)); }
   std::size_t motions() const { return motions_.size(); }
-  double explained(const Columns& columns) const;
+  // What these columns explain of left-out motions' squares beyond the model's own.
+  double explained(const Columns& columns) const {
+    return byOthers(withOwn(columns)) - byOthers(own_);
+  }
+  // The same of no motion that is left out: more, the more columns there are.
+  double fitted(const Columns& columns) const { return byFit(withOwn(columns)) - byFit(own_); }
 
  private:
+  Columns withOwn(Columns columns) const {
+    columns.insert(columns.end(), own_.begin(), own_.end());
+    return columns;
+  }
+  Products products(const Columns& columns) const;
+  double byOthers(const Columns& columns) const;
+  double byFit(const Columns& columns) const;
+
   struct Motion {
     std::shared_ptr<const Along> along;
     Eigen::VectorXd xy;
   };
+  Columns own_;
   std::vector<Motion> motions_;
   double excess_ = 0;
 };
 
-// What these columns explain of left-out motions' squares, fitted to the others.
-double Remainder::explained(const Columns& columns) const {
+Products Remainder::products(const Columns& columns) const {
   const auto n = static_cast<Eigen::Index>(columns.size());
-  Eigen::MatrixXd whole_xx = Eigen::MatrixXd::Zero(n, n);
-  Eigen::VectorXd whole_xy = Eigen::VectorXd::Zero(n);
+  Products all{Eigen::MatrixXd::Zero(n, n), Eigen::VectorXd::Zero(n)};
   for (const Motion& motion : motions_) {
-    whole_xx += motion.along->xx(columns, columns);
-    whole_xy += motion.xy(columns);
+    all.xx += motion.along->xx(columns, columns);
+    all.xy += motion.xy(columns);
   }
+  return all;
+}
+
+// What these columns explain of left-out motions' squares, fitted to the others.
+double Remainder::byOthers(const Columns& columns) const {
+  const Products all = products(columns);
   double explained = 0;
   for (const Motion& out : motions_) {
     const Eigen::MatrixXd own = out.along->xx(columns, columns);
     const Eigen::VectorXd own_y = out.xy(columns);
-    Eigen::MatrixXd xx = whole_xx - own;
-    xx.diagonal() *= 1 + 1e-9;  // columns may be all but the same
-    const Eigen::VectorXd fit = xx.ldlt().solve(whole_xy - own_y);
+    const Eigen::VectorXd fit = Products{all.xx - own, all.xy - own_y}.fit();
     explained += 2 * fit.dot(own_y) - fit.dot(own * fit);
   }
+  return std::isfinite(explained) ? explained : 0;
+}
+
+double Remainder::byFit(const Columns& columns) const {
+  const Products all = products(columns);
+  const double explained = all.fit().dot(all.xy);
   return std::isfinite(explained) ? explained : 0;
 }
 
@@ -121,6 +157,8 @@ class Lack {
 
 // What the measurement and what null sets leave.
 struct Remainders {
+  Remainders(const Columns& own, std::size_t of_nulls) : measured(own), nulls(of_nulls, measured) {}
+
   Remainder measured;
   std::vector<Remainder> nulls;
 };
@@ -147,34 +185,52 @@ void addMotion(const Lack& lack, const Stage& stage, const TorqueFeatures& featu
   }
 }
 
-// The most that one feature explains.
-double mostOf(const Remainder& remainder, const std::vector<TorqueFeatures::Feature>& features) {
-  double most = 0;
-  for (const TorqueFeatures::Feature& one : features) {
-    most = std::max(most, remainder.explained(one.columns));
+// Of the features that causes are.
+Columns ownColumns(const TorqueFeatures& features, const std::vector<EffectSetting>& causes) {
+  Columns own;
+  for (const TorqueFeatures::Feature& one : features.all()) {
+    const auto is = [&](const EffectSetting& cause) { return featureOf(cause.name) == one.name; };
+    if (std::none_of(causes.begin(), causes.end(), is)) continue;
+    own.insert(own.end(), one.columns.begin(), one.columns.end());
   }
-  return most;
+  return own;
 }
 
-// `chance`: the most that a feature explains of null sets.
-Signature select(const Remainder& remainder, double chance,
-                 const std::vector<TorqueFeatures::Feature>& features) {
+// What each feature must explain to be told from chance: as many times what it explains of null
+// sets, root mean square, as any feature does of any of these. Equal robots differ by friction,
+// which goes with the sign of v and hardly with its square.
+Eigen::VectorXd beyondChance(const std::vector<Remainder>& nulls,
+                             const std::vector<TorqueFeatures::Feature>& features) {
+  if (nulls.empty()) return Eigen::VectorXd::Zero(static_cast<Eigen::Index>(features.size()));
+  Eigen::MatrixXd explained(features.size(), nulls.size());
+  for (Eigen::Index i = 0; i < explained.rows(); ++i) {
+    for (Eigen::Index j = 0; j < explained.cols(); ++j) {
+      const Columns& columns = features[static_cast<std::size_t>(i)].columns;
+      explained(i, j) = nulls[static_cast<std::size_t>(j)].fitted(columns);
+    }
+  }
+  const Eigen::VectorXd usual = explained.rowwise().norm() / std::sqrt(explained.cols());
+  const Eigen::VectorXd known = usual.cwiseMax(std::max(1e-6 * usual.maxCoeff(), 1e-18));
+  return kBeyondNulls * (known.cwiseInverse().asDiagonal() * explained).maxCoeff() * known;
+}
+
+Signature select(const Remainders& all, const std::vector<TorqueFeatures::Feature>& features) {
+  const Remainder& remainder = all.measured;
+  const Eigen::VectorXd least = beyondChance(all.nulls, features);
   Signature found;
   Columns columns;
   double before = 0;
-  const auto cost = [&](const TorqueFeatures::Feature& one) {
-    const auto count = static_cast<double>(one.columns.size());
-    return std::max(count * kWorth * remainder.excess(), kBeyondNulls * chance);
-  };
   while (static_cast<int>(found.terms.size()) < kMost && remainder.excess() > 0) {
     const TorqueFeatures::Feature* best = nullptr;
     double most = before, merit = before;  // what is explained, and less what its columns cost
-    for (const TorqueFeatures::Feature& one : features) {
+    for (std::size_t i = 0; i < features.size(); ++i) {
+      const TorqueFeatures::Feature& one = features[i];
       Columns with = columns;
       with.insert(with.end(), one.columns.begin(), one.columns.end());
       const double now = remainder.explained(with);
-      const double worth = now - cost(one);
-      if (worth <= merit) continue;
+      const auto count = static_cast<double>(one.columns.size());
+      const double worth = now - count * kWorth * remainder.excess();
+      if (worth <= merit || now - before <= least[static_cast<Eigen::Index>(i)]) continue;
       most = now;
       merit = worth;
       best = &one;
@@ -214,8 +270,7 @@ std::vector<Eigen::Index> rowsOffStops(const Eigen::MatrixXd& motion,
 Signature signatureOf(const JointSimulator& joint, const JointData& data, const Stage& stage,
                       const std::vector<EffectSetting>& causes) {
   const TorqueFeatures features;
-  Remainders all;
-  all.nulls.resize(std::min(kNulls, stage.nulls().size()));
+  Remainders all(ownColumns(features, causes), std::min(kNulls, stage.nulls().size()));
   for (const MotionSpan& span : data.spans()) {
     if (span.split != Split::Fit) continue;
     const Lack lack(joint, stage, causes, span);
@@ -223,9 +278,7 @@ Signature signatureOf(const JointSimulator& joint, const JointData& data, const 
     addMotion(lack, stage, features, withRates(lack.then(data.mean()), span.dt), all);
   }
   if (all.measured.motions() < 2) return {};
-  double chance = 0;
-  for (const Remainder& null : all.nulls) chance = std::max(chance, mostOf(null, features.all()));
-  return select(all.measured, chance, features.all());
+  return select(all, features.all());
 }
 
 }  // namespace nao::validation

@@ -10,14 +10,18 @@ namespace {
 
 using test::ToyLaws;
 
-// What the remainder of a joint with laws that no cause here explains goes with first.
-std::string firstFeature(const ToyLaws& truth) {
-  const test::ToyJoint toy(truth, 3);
+std::vector<Cause> frictionOnly() {
   std::vector<Cause> causes;
   for (const Cause& cause : test::toyCauses()) {
     if (cause.id == "viscous_friction") causes.push_back(cause);
   }
-  JointSearch search(toy, test::kToyNoise, causes, {4, 8, 24, 40, 1, 1, 1}, 1000000);
+  return causes;
+}
+
+// What the remainder of a joint with laws that no cause here explains goes with first.
+std::string firstFeature(const ToyLaws& truth) {
+  const test::ToyJoint toy(truth, 3);
+  JointSearch search(toy, test::kToyNoise, frictionOnly(), {4, 8, 24, 40, 1, 1, 1}, 1000000);
   search.begin();
   const Signature found = signatureOf(toy, search.data(), search.stage(), {});
   return found.terms.empty() ? "" : found.terms.front().feature;
@@ -64,6 +68,19 @@ TEST(Signature, FindsASpeedAtWhichAGearBrakes) {
   ToyLaws laws;
   laws.band = 0.3;
   EXPECT_EQ(firstFeature(laws), "sgn v near |v| = 0.81");  // of the library's speeds
+}
+
+// Viscous friction explains most of it, and of what is left a brake at high speed: as long as the
+// friction is what it is beside nothing else.
+TEST(Signature, FindsWhatIsLeftWhateverTheNumbersOfTheModelAre) {
+  ToyLaws laws;
+  laws.drag = 0.1;
+  const test::ToyJoint toy(laws, 3);
+  JointSearch search(toy, test::kToyNoise, frictionOnly(), {4, 8, 24, 40, 1, 1, 1}, 1000000);
+  search.begin();
+  const JointVerdict verdict = search.conclude({});
+  ASSERT_EQ(verdict.findings.size(), 1u);
+  EXPECT_EQ(verdict.signature.substr(0, 4), "v|v|") << verdict.signature;
 }
 
 // By its mean friction alone a brake at a hip went with nothing, as sets in which nothing is wrong
