@@ -8,6 +8,7 @@
 
 #include "validation/diagnosis/joint/torque_features.h"
 #include "validation/diagnosis/maths/lag.h"
+#include "validation/diagnosis/maths/whitening.h"
 #include "validation/diagnosis/rig/led_joint.h"
 
 namespace nao::validation {
@@ -163,25 +164,37 @@ struct Remainders {
   std::vector<Remainder> nulls;
 };
 
+// Of null sets every other one tells what noise is like, as what equal robots differ by goes along
+// few directions; the rest are judged by that as the measurement is.
+Eigen::MatrixXd lackOf(const Lack& lack, const Stage& stage, const Columns& rows, std::size_t first,
+                       std::size_t nulls) {
+  Eigen::MatrixXd torque(rows.size(), nulls);
+  for (std::size_t i = 0; i < nulls; ++i) {
+    torque.col(static_cast<Eigen::Index>(i)) = lack.by(stage.nulls()[first + 2 * i])(rows);
+  }
+  return torque;
+}
+
 void addMotion(const Lack& lack, const Stage& stage, const TorqueFeatures& features,
                const Eigen::MatrixXd& motion, Remainders& all) {
-  const std::vector<Eigen::Index> rows = rowsOffStops(motion, lack.range());
-  Eigen::MatrixXd chance(rows.size(), all.nulls.size());
-  for (Eigen::Index i = 0; i < chance.cols(); ++i) {
-    chance.col(i) = lack.by(stage.nulls()[static_cast<std::size_t>(i)])(rows);
-  }
-  const double sd = rootMeanSquare(chance);
+  const Columns rows = rowsOffStops(motion, lack.range());
+  const std::size_t nulls = all.nulls.size();
+  const Eigen::MatrixXd noise = lackOf(lack, stage, rows, 0, nulls);
+  const Whitening whiten(Eigen::VectorXd::Constant(noise.rows(), rootMeanSquare(noise)),
+                         noise / std::sqrt(std::max<std::size_t>(1, nulls)));
   auto along = std::make_shared<Along>();
   along->x = features.along(motion, lack.error(), lack.dt());
   for (Eigen::Index i = 0; i < features.misreadings(); ++i) {
     along->x.col(features.columns() - features.misreadings() + i) =
         lack.byMisreading(features.misreading(i, lack.course()));
   }
-  along->x = (along->x(rows, Eigen::all) / sd).eval();
+  along->x = along->x(rows, Eigen::all).eval();
+  for (Eigen::Index i = 0; i < along->x.cols(); ++i) along->x.col(i) = whiten(along->x.col(i));
   along->xx = along->x.transpose() * along->x;
-  all.measured.add(along, lack.by(stage.raw())(rows) / sd);
-  for (Eigen::Index i = 0; i < chance.cols(); ++i) {
-    all.nulls[static_cast<std::size_t>(i)].add(along, chance.col(i) / sd);
+  all.measured.add(along, whiten(lack.by(stage.raw())(rows)));
+  const Eigen::MatrixXd chance = lackOf(lack, stage, rows, 1, nulls);
+  for (std::size_t i = 0; i < nulls; ++i) {
+    all.nulls[i].add(along, whiten(chance.col(static_cast<Eigen::Index>(i))));
   }
 }
 
@@ -216,11 +229,12 @@ Eigen::VectorXd beyondChance(const std::vector<Remainder>& nulls,
 
 Signature select(const Remainders& all, const std::vector<TorqueFeatures::Feature>& features) {
   const Remainder& remainder = all.measured;
+  const double excess = remainder.excess();
   const Eigen::VectorXd least = beyondChance(all.nulls, features);
   Signature found;
   Columns columns;
   double before = 0;
-  while (static_cast<int>(found.terms.size()) < kMost && remainder.excess() > 0) {
+  while (static_cast<int>(found.terms.size()) < kMost && excess > 0) {
     const TorqueFeatures::Feature* best = nullptr;
     double most = before, merit = before;  // what is explained, and less what its columns cost
     for (std::size_t i = 0; i < features.size(); ++i) {
@@ -229,7 +243,7 @@ Signature select(const Remainders& all, const std::vector<TorqueFeatures::Featur
       with.insert(with.end(), one.columns.begin(), one.columns.end());
       const double now = remainder.explained(with);
       const auto count = static_cast<double>(one.columns.size());
-      const double worth = now - count * kWorth * remainder.excess();
+      const double worth = now - count * kWorth * excess;
       if (worth <= merit || now - before <= least[static_cast<Eigen::Index>(i)]) continue;
       most = now;
       merit = worth;
@@ -237,9 +251,11 @@ Signature select(const Remainders& all, const std::vector<TorqueFeatures::Featur
     }
     if (best == nullptr) break;
     columns.insert(columns.end(), best->columns.begin(), best->columns.end());
-    found.terms.push_back({best->name, std::min(1.0, most / remainder.excess())});
+    found.terms.push_back({best->name, most});
     before = most;
   }
+  const double whole = std::max(before, excess);  // noise may be less than it is given
+  for (SignatureTerm& term : found.terms) term.explained /= whole;
   return found;
 }
 
@@ -270,7 +286,7 @@ std::vector<Eigen::Index> rowsOffStops(const Eigen::MatrixXd& motion,
 Signature signatureOf(const JointSimulator& joint, const JointData& data, const Stage& stage,
                       const std::vector<EffectSetting>& causes) {
   const TorqueFeatures features;
-  Remainders all(ownColumns(features, causes), std::min(kNulls, stage.nulls().size()));
+  Remainders all(ownColumns(features, causes), std::min(kNulls, stage.nulls().size() / 2));
   for (const MotionSpan& span : data.spans()) {
     if (span.split != Split::Fit) continue;
     const Lack lack(joint, stage, causes, span);
