@@ -8,6 +8,7 @@
 
 #include "validation/diagnosis/joint/torque_features.h"
 #include "validation/diagnosis/maths/lag.h"
+#include "validation/diagnosis/maths/thin_svd.h"
 #include "validation/diagnosis/maths/whitening.h"
 #include "validation/diagnosis/rig/led_joint.h"
 
@@ -164,8 +165,8 @@ struct Remainders {
   std::vector<Remainder> nulls;
 };
 
-// Of null sets every other one tells what noise is like, as what equal robots differ by goes along
-// few directions; the rest are judged by that as the measurement is.
+// Of null sets every other one tells what noise is like; the rest are judged by that as the
+// measurement is.
 Eigen::MatrixXd lackOf(const Lack& lack, const Stage& stage, const Columns& rows, std::size_t first,
                        std::size_t nulls) {
   Eigen::MatrixXd torque(rows.size(), nulls);
@@ -175,13 +176,21 @@ Eigen::MatrixXd lackOf(const Lack& lack, const Stage& stage, const Columns& rows
   return torque;
 }
 
+// What null sets lack by most. By more than that, what counts is what is left where the torque of a
+// remainder is not exact.
+Eigen::MatrixXd mostOf(const Eigen::MatrixXd& noise) {
+  if (noise.size() == 0) return noise;
+  const ThinSvd parts = calcSvd(noise);
+  return parts.left.leftCols(1) * parts.values[0];
+}
+
 void addMotion(const Lack& lack, const Stage& stage, const TorqueFeatures& features,
                const Eigen::MatrixXd& motion, Remainders& all) {
   const Columns rows = rowsOffStops(motion, lack.range());
   const std::size_t nulls = all.nulls.size();
   const Eigen::MatrixXd noise = lackOf(lack, stage, rows, 0, nulls);
   const Whitening whiten(Eigen::VectorXd::Constant(noise.rows(), rootMeanSquare(noise)),
-                         noise / std::sqrt(std::max<std::size_t>(1, nulls)));
+                         mostOf(noise / std::sqrt(std::max<std::size_t>(1, nulls))));
   auto along = std::make_shared<Along>();
   along->x = features.along(motion, lack.error(), lack.dt());
   for (Eigen::Index i = 0; i < features.misreadings(); ++i) {
