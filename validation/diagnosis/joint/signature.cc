@@ -176,8 +176,8 @@ Eigen::MatrixXd lackOf(const Lack& lack, const Stage& stage, const Columns& rows
   return torque;
 }
 
-// What null sets lack by most. By more than that, what counts is what is left where the torque of a
-// remainder is not exact.
+// The direction in which null sets differ most. By more of them an eccentric encoder was lost: what
+// is left to count is mostly where the torque of a remainder is not exact.
 Eigen::MatrixXd mostOf(const Eigen::MatrixXd& noise) {
   if (noise.size() == 0) return noise;
   const ThinSvd parts = calcSvd(noise);

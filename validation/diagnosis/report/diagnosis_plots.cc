@@ -5,7 +5,6 @@
 
 #include "core/check.h"
 #include "sim/effects/catalogue.h"
-#include "validation/diagnosis/causes/causes.h"
 #include "validation/diagnosis/rig/merge_effects.h"
 
 namespace nao::validation {

@@ -83,7 +83,7 @@ class StuckToy final : public JointSimulator {
   test::ToyJoint toy_{{}, 1, kTrue};
 };
 
-// A head that stuck at 97 % less torque asked for 22 N m, and its diagnosis ended there.
+// A head that stuck with 3 % less torque asked for 22 N m, and its diagnosis ended there.
 TEST(FitNoise, NamesNoTorqueThatTheEffectCanNotHave) {
   EXPECT_EQ(fitNoise(StuckToy(), kBegin).torque_sd, 5);  // [N m] the catalogue's
   EXPECT_EQ(fitNoise(StuckToy(), {40, 0.05, 0}).torque_sd, 5);
