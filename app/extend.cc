@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "app/commands.h"
 #include "app/source_paths.h"
@@ -22,30 +23,48 @@ struct Options {
   int jobs = 1;
 };
 
+// The torque that an unknown's signature stands for; none if it is none.
+std::optional<EffectSetting> torqueOf(const validation::UnknownJoint& unknown,
+                                      const RobotModel& model, const validation::PreparedSet& set) {
+  const char* name = unknown.joint.c_str();
+  const auto place = model.findJoint(unknown.joint);
+  if (!place) {
+    std::printf("%s: left out, as it is no joint\n", name);
+    return std::nullopt;
+  }
+  const validation::PreparedJoint& joint = validation::jointOf(set, unknown.joint);
+  const auto features =
+      unknown.features.empty() ? validation::remainingFeatures(joint) : unknown.features;
+  if (features.empty()) {
+    std::printf("%s: left out, as nothing that remains goes with its motion\n", name);
+    return std::nullopt;
+  }
+  auto fit = validation::fitEmpirical(joint, features);
+  fit.setting.joints = {*place};
+  std::printf("%s: a torque without a name, error on fit motions %.2f -> %.2f mrad\n", name,
+              1e3 * fit.before, 1e3 * fit.after);
+  for (const std::string& feature : fit.left_out) std::printf("  left out: %s\n", feature.c_str());
+  return std::move(fit.setting);
+}
+
 // What has no name: the signatures of the report as torques, fitted to the set beside `causes`.
 std::vector<EffectSetting> empiricalEffects(const Options& options, const std::string& report,
                                             const RobotModel& model,
                                             const std::vector<EffectSetting>& causes) {
   if (options.set.empty()) throw InputError("--empirical: expected --set, the diagnosed set");
   const std::string& robot = options.accepted.robot_id;
+  const auto unknowns = validation::unknownJoints(report, robot);
   const validation::LogSet set = validation::runsOfOne(validation::readLogSet(options.set), robot);
   auto extended = std::make_shared<RobotModel>(model);
   extended->effects = validation::mergedEffects(model, causes, sim::standardEffects());
-  const auto unknowns = validation::unknownJoints(report, robot);
   const validation::PreparedSet prepared =
       validation::prepareSet(set, std::move(extended), options.jobs);
   std::vector<EffectSetting> found;
   for (const validation::UnknownJoint& unknown : unknowns) {
-    const validation::PreparedJoint& joint = validation::jointOf(prepared, unknown.joint);
-    auto fit = validation::fitEmpirical(joint, unknown.features);
-    fit.setting.joints = {*model.findJoint(unknown.joint)};
-    std::printf("%s: a torque without a name, error on fit motions %.2f -> %.2f mrad\n",
-                unknown.joint.c_str(), 1e3 * fit.before, 1e3 * fit.after);
-    for (const std::string& feature : fit.left_out) {
-      std::printf("  left out: %s\n", feature.c_str());
-    }
-    found.push_back(std::move(fit.setting));
+    if (auto torque = torqueOf(unknown, model, prepared)) found.push_back(std::move(*torque));
   }
+  if (found.empty())
+    throw InputError("--empirical: no joint's remainder is a torque by its motion");
   return found;
 }
 

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
-#include <optional>
+#include <sstream>
 
 #include "core/config.h"
+#include "validation/diagnosis/causes/causes.h"
 #include "validation/diagnosis/folds/motion_fit.h"
+#include "validation/diagnosis/joint/joint_search.h"
 #include "validation/diagnosis/report/report_file.h"
 
 namespace nao::validation {
@@ -27,6 +29,16 @@ std::vector<std::string> featuresIn(std::string text) {
     text = next == std::string::npos ? "" : text.substr(next + 7);
   }
   return features;
+}
+
+// "LHipRoll, torso roll" of a limb or a robot, each once.
+void addSignals(const std::string& text, std::vector<UnknownJoint>& all) {
+  std::stringstream words(text);
+  for (std::string name; std::getline(words >> std::ws, name, ',');) {
+    const bool known = std::any_of(all.begin(), all.end(),
+                                   [&](const UnknownJoint& one) { return one.joint == name; });
+    if (!known) all.push_back({name, {}});
+  }
 }
 
 FreeNumber number(const std::string& parameter, double start, double around = 0) {
@@ -109,11 +121,16 @@ std::vector<UnknownJoint> unknownJoints(const std::string& report_file,
                                         const std::string& robot_id) {
   std::vector<UnknownJoint> found;
   readReport(report_file, [&](const nlohmann::json& report) {
+    const bool of_joints = report.value("level", "joint") == "joint";
     for (const nlohmann::json& joint : report.at("joints")) {
       const ReportedPlace place(joint.at("joint"));
       if (place.robot_id != robot_id) continue;
-      const auto features = featuresIn(joint.at("signature").get<std::string>());
-      if (!features.empty()) found.push_back({place.name, features});
+      const std::string text = joint.at("signature");
+      if (!of_joints) {
+        addSignals(text, found);
+      } else if (const auto features = featuresIn(text); !features.empty()) {
+        found.push_back({place.name, features});
+      }
     }
   });
   if (found.empty()) throw InputError(report_file + ": no joint has a remainder with a signature");
@@ -125,6 +142,20 @@ const PreparedJoint& jointOf(const PreparedSet& set, const std::string& joint) {
     if (one.simulator->joint() == joint) return one;
   }
   throw InputError("the set has no joint " + joint + " that was measured in all runs");
+}
+
+std::vector<std::string> remainingFeatures(const PreparedJoint& joint) {
+  std::vector<std::string> features;
+  if (joint.simulator->measured().front().repeats.size() < 2) return features;
+  const DiagnosisOptions usual;
+  JointSearch search(*joint.simulator, joint.noise, jointCauses(), usual.effort,
+                     usual.runs_per_joint);
+  search.begin();
+  for (const SignatureTerm& term :
+       signatureOf(*joint.simulator, search.data(), search.stage(), {}).terms) {
+    features.push_back(term.feature);
+  }
+  return features;
 }
 
 EmpiricalFit fitEmpirical(const PreparedJoint& joint, const std::vector<std::string>& features) {

@@ -8,10 +8,11 @@
 namespace nao::validation {
 
 /// The unknowns of a report that have a signature: joint and the words of its features. Of a report
-/// of several robots those of `robot_id`.
+/// of several robots those of `robot_id`. Where a limb or a whole robot was searched, its signature
+/// is the signals that remain most: joints, and others such as the torso's roll.
 struct UnknownJoint {
   std::string joint;
-  std::vector<std::string> features;  // as signature.h names them, best first
+  std::vector<std::string> features;  // as signature.h names them, best first; none: not told
 };
 /// @throws InputError for a file that is no report.json, or one whose joints have no signature.
 std::vector<UnknownJoint> unknownJoints(const std::string& report_file,
@@ -19,6 +20,11 @@ std::vector<UnknownJoint> unknownJoints(const std::string& report_file,
 
 /// @throws InputError if the set does not have it.
 const PreparedJoint& jointOf(const PreparedSet& set, const std::string& joint);
+
+/// What a joint's remainder beside the set's model goes with, as signature.h names it, where the
+/// report does not tell; nothing without repeats. Takes as long as a joint in which nothing is
+/// wrong.
+std::vector<std::string> remainingFeatures(const PreparedJoint& joint);
 
 /// The effect empirical_torque with these features, fitted to the joint's fit motions; what the
 /// set's model has already stays. `error`: mean absolute error before and after [rad].

@@ -19,11 +19,11 @@ std::shared_ptr<RobotModel> pendulum() {
 }
 
 // Three motions, with a torque that no cause stands for.
-LogSet recorded(const EffectSetting& torque) {
+LogSet recorded(const EffectSetting& torque, int repeats = 1) {
   RecordingPlan plan;
   plan.model = pendulum();
   plan.extra = {torque};
-  plan.repeats = 1;
+  plan.repeats = repeats;
   plan.step = std::chrono::milliseconds(1);
   for (const auto& [name, pace, split] :
        {std::tuple<const char*, double, Split>{"slow", 1.0, Split::Fit},
@@ -83,6 +83,37 @@ TEST(Empirical, SoIsFrictionThatComesAndGoes) {
                 ""});
   EXPECT_LT(testError(set, {fitTo(set, {"sgn v with sin and cos of 0.5 Hz"}).setting}),
             0.4 * testError(set, {}));
+}
+
+// A ripple of the torque, of which the report of a whole robot says no more than where it is.
+TEST(Empirical, LooksForTheShapeThatAWholeRobotsReportDoesNotTell) {
+  const LogSet set =
+      recorded({"cogging", {{"torque", 0.05}, {"per_turn", 6}, {"phase", 0.3}}, {}, ""}, 5);
+  const PreparedSet prepared = prepareSet(set, pendulum(), 1);
+  const auto features = remainingFeatures(prepared.joints[0]);
+  ASSERT_FALSE(features.empty());
+  EXPECT_EQ(features[0], "sin and cos of 6 q");
+  const EmpiricalFit fit = fitEmpirical(prepared.joints[0], features);
+  EXPECT_LT(fit.after, 0.3 * fit.before);
+}
+
+TEST(Empirical, HasNoShapeWithoutRepeats) {
+  const LogSet set =
+      recorded({"cogging", {{"torque", 0.05}, {"per_turn", 6}, {"phase", 0.3}}, {}, ""});
+  EXPECT_TRUE(remainingFeatures(prepareSet(set, pendulum(), 1).joints[0]).empty());
+}
+
+TEST(Empirical, ReadsThePlacesThatAWholeRobotsReportNames) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("report.json", R"json({"level": "robot", "joints": [
+    {"joint": "LLeg", "signature": "LHipRoll, torso roll, LKneePitch"},
+    {"joint": "RLeg", "signature": "LHipRoll"}]})json");
+  const auto unknowns = unknownJoints(file);
+  ASSERT_EQ(unknowns.size(), 3u);
+  EXPECT_EQ(unknowns[0].joint, "LHipRoll");
+  EXPECT_EQ(unknowns[1].joint, "torso roll");
+  EXPECT_EQ(unknowns[2].joint, "LKneePitch");
+  EXPECT_TRUE(unknowns[0].features.empty());
 }
 
 TEST(Empirical, ReadsTheSignaturesOfAReport) {
