@@ -138,6 +138,7 @@ Cause boundedAt(const Cause& cause, const JointSimulator& joint,
   }
   if (cause.effect == "joint_stop") startAtMeasuredEnd(bounded.free[0], joint);
   if (cause.effect == "encoder_quantum") startAtMeasuredQuantum(bounded.free[0], joint);
+  if (cause.coupled) bounded.together = joint.touchedLines(cause.free[0].parameter == "upper");
   if (cause.smallest_mean > 0) {
     bounded.free[0].smallest = 2 * cause.smallest_mean / longestRun(joint);
   }

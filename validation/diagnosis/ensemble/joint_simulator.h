@@ -90,6 +90,10 @@ class JointSimulator {
   /// is not tried here, as it is a stop like any other to a joint alone.
   virtual bool isCoupled() const { return true; }
 
+  /// Lines [rad/rad, rad] of a stop at the joint's upper or lower end that moves with another
+  /// joint, each of which just touches what was measured in motions to fit; none: not known.
+  virtual std::vector<std::vector<double>> touchedLines(bool /*upper*/) const { return {}; }
+
   /// The joint's own mechanical stops in the model [rad]: lowest and highest angle.
   virtual std::pair<double, double> range() const {
     constexpr double kNone = std::numeric_limits<double>::infinity();

@@ -7,9 +7,14 @@
 #include "validation/diagnosis/rig/led_joint.h"
 #include "validation/diagnosis/rig/merge_effects.h"
 #include "validation/diagnosis/rig/run_noise.h"
+#include "validation/diagnosis/rig/touched_lines.h"
 
 namespace nao::validation {
 namespace {
+
+Eigen::VectorXd asVector(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
 
 std::vector<double> meanOf(const GriddedMotion& motion,
                            std::map<Joint, std::vector<double>> GriddedMotion::Run::*signal,
@@ -222,6 +227,22 @@ bool RigSimulator::isCoupled() const {
   const auto& limits = set_->model().coupled_limits;
   return std::any_of(limits.begin(), limits.end(),
                      [this](const CoupledLimit& limit) { return limit.limited == joint_; });
+}
+
+std::vector<std::vector<double>> RigSimulator::touchedLines(bool upper) const {
+  const auto end = endOf(set_->model(), joint_, upper, set_->catalogue());
+  if (!end || !isCoupled()) return {};
+  std::vector<std::vector<StopApproach>> motions;
+  for (const GriddedMotion& motion : set_->motions()) {
+    if (motion.split != Split::Fit) continue;
+    motions.emplace_back();
+    for (const GriddedMotion::Run& run : motion.runs) {
+      const auto other = run.angle.find(end->other), stopped = run.angle.find(joint_);
+      if (other == run.angle.end() || stopped == run.angle.end()) continue;
+      motions.back().push_back({asVector(other->second), end->left(asVector(stopped->second))});
+    }
+  }
+  return validation::touchedLines(motions);
 }
 
 std::pair<double, double> RigSimulator::range() const {

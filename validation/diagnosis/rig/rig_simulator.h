@@ -85,6 +85,7 @@ class RigSimulator final : public JointSimulator {
              const Eigen::VectorXd& off, const Eigen::VectorXd& misread) const override;
   double present(const std::string& effect, const std::string& parameter) const override;
   bool isCoupled() const override;
+  std::vector<std::vector<double>> touchedLines(bool upper) const override;
   std::pair<double, double> range() const override;
   const JointSimulator& coarse() const override { return coarse_ ? *coarse_ : *this; }
   const JointSimulator& rough() const override;

@@ -15,16 +15,6 @@ namespace {
 
 constexpr double kSlope = -0.6, kPlace = -0.75;  // [rad/rad], [rad]
 
-TEST(TouchingStops, AreMetByNothingThatTheyWereMeasuredFrom) {
-  const Eigen::VectorXd other = Eigen::VectorXd::LinSpaced(50, -1, 0.5);
-  const Eigen::VectorXd left = (0.2 + other.array().square()).matrix();
-  for (const double slope : {0.4, 2.0, -0.4, -2.0}) {
-    const double place = touchingPlace(other, left, slope);
-    const Eigen::VectorXd room = left.array() - slope * (other.array() - place);
-    EXPECT_NEAR(room.minCoeff(), 0, 1e-12) << slope;
-  }
-}
-
 // A hull's lower edge of a hanging ankle, which that joint's slow sweep meets; nothing else is.
 class StoppedAnkle : public testing::Test {
  protected:
