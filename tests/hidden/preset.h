@@ -17,9 +17,8 @@ struct Counts {
 };
 
 /// "quick", "standard" or "full", by which bars are judged. "standard" is what a change is tried
-/// with: its 300 sets have motions of two thirds the length and few robots on their feet, which
-/// should take two cores an hour and a half (estimated from some). @throws InputError for another
-/// word.
+/// with: its 300 sets have motions of two thirds the length and few robots on their feet, as it is
+/// to take two cores no more than an hour and a half. @throws InputError for another word.
 Counts countsOf(const std::string& preset);
 
 /// The sets of a preset, in an order that says nothing. A third of the singles hide in laws that

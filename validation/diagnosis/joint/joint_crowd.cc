@@ -232,12 +232,11 @@ void JointCrowd::give(std::size_t cause, double x) {
   lookAnew(questionOf("given", cause, {x}), [&](std::size_t j) { searches_[j]->give(cause, x); });
 }
 
-// Whether repeats scatter as by much more noise than usual, and this does not tell why.
-bool JointCrowd::isLoud(std::size_t joint, const JointVerdict& verdict) const {
-  const double usual = tasks_[joint].nominal.torque_sd;
-  if (given_ || usual <= 0 || tasks_[joint].noise.torque_sd < kLoud * usual) return false;
+bool isLoud(const JointVerdict& verdict, double fitted, double usual) {
+  if (usual <= 0 || fitted < kLoud * usual) return false;
   const Verdict said = verdict.verdict;
-  if (said == Verdict::NoDiscrepancy || said == Verdict::Unfinished) return false;
+  const bool nothing = said == Verdict::NoDiscrepancy && verdict.findings.empty();
+  if (nothing || said == Verdict::Unfinished) return false;
   const bool in_part = said == Verdict::Unknown || said == Verdict::PartlyExplained;
   return in_part || verdict.noise > kLoud * usual;
 }
@@ -266,7 +265,9 @@ std::vector<JointVerdict> JointCrowd::conclude() {
     return options_.kept.remember(unitOf(j, "verdict"), [&] {
       JointVerdict verdict;
       watched(j, kRestRuns, done_[j].rest, [&] { verdict = searches_[j]->conclude(allBut(j)); });
-      if (isLoud(j, verdict)) verdict = searchedQuietly(j, std::move(verdict));
+      const JointTask& task = tasks_[j];
+      const bool loud = isLoud(verdict, task.noise.torque_sd, task.nominal.torque_sd);
+      if (loud && !given_) verdict = searchedQuietly(j, std::move(verdict));
       return pack(verdict);
     });
   });

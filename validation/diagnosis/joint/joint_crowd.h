@@ -10,6 +10,11 @@
 
 namespace nao::validation {
 
+/// Whether a joint is to be searched once more by the usual noise of its repeats [N m, SD of the
+/// torque]: they scatter as by by far more, and this verdict does not tell why. What it tells may
+/// be of no interest: in such noise a joint that sticks tells no size.
+bool isLoud(const JointVerdict& verdict, double fitted, double usual);
+
 /// The best that looks at a cause of a joint's own link promise.
 struct LinkLook {
   std::size_t cause = 0;
@@ -88,7 +93,6 @@ class JointCrowd {
                                        const std::vector<JointVerdict>& verdicts) const;
   JointVerdict searchedAnew(std::size_t joint, const std::vector<JointVerdict>& verdicts);
   void searchAbove(std::vector<JointVerdict>& verdicts);
-  bool isLoud(std::size_t joint, const JointVerdict& verdict) const;
   JointVerdict searchedQuietly(std::size_t joint, JointVerdict loud) const;
   std::string unitOf(std::size_t joint, const std::string& question) const;
   void tell() const;
