@@ -101,6 +101,25 @@ std::vector<FreeNumber> numbersFor(const std::string& feature, const sim::Effect
   return {};
 }
 
+// The effect has one ripple, one hum, one spot and one band: of features that ask for two only the
+// first has its place. What they are a factor of, such as sgn v, they share. False: it has nothing
+// for these.
+bool addNumbers(const std::vector<FreeNumber>& numbers, Cause& cause) {
+  const auto isTaken = [&](const FreeNumber& one) {
+    return std::any_of(cause.free.begin(), cause.free.end(),
+                       [&](const FreeNumber& other) { return other.parameter == one.parameter; });
+  };
+  const auto isTakenPlace = [&](const FreeNumber& one) {
+    return one.lower < one.upper && isTaken(one);
+  };
+  if (std::any_of(numbers.begin(), numbers.end(), isTakenPlace)) return false;
+  const std::size_t before = cause.free.size();
+  for (const FreeNumber& one : numbers) {
+    if (!isTaken(one)) cause.free.push_back(one);
+  }
+  return cause.free.size() > before;
+}
+
 // Bounds of the catalogue where a feature brings none of its own.
 void complete(Cause& cause, const JointSimulator& joint) {
   const Cause bounded = boundedAt(cause, joint, sim::standardEffects());
@@ -164,15 +183,7 @@ EmpiricalFit fitEmpirical(const PreparedJoint& joint, const std::vector<std::str
   cause.id = cause.effect = type.name;
   EmpiricalFit found;
   for (const std::string& feature : features) {
-    const auto numbers = numbersFor(feature, type);
-    const auto same = [&](const FreeNumber& one) {
-      return !numbers.empty() && one.parameter == numbers.front().parameter;
-    };
-    if (numbers.empty() || std::any_of(cause.free.begin(), cause.free.end(), same)) {
-      found.left_out.push_back(feature);
-      continue;
-    }
-    cause.free.insert(cause.free.end(), numbers.begin(), numbers.end());
+    if (!addNumbers(numbersFor(feature, type), cause)) found.left_out.push_back(feature);
   }
   if (cause.free.empty()) {
     throw InputError(joint.simulator->joint() + ": no feature of its signature can be a torque");

@@ -85,6 +85,20 @@ TEST(Empirical, SoIsFrictionThatComesAndGoes) {
             0.4 * testError(set, {}));
 }
 
+// A rough patch went with 4 q first, then a ripple of 17 q beside it took its place.
+TEST(Empirical, HasOneRippleThatOfTheBestFeature) {
+  const LogSet set =
+      recorded({"empirical_torque",
+                {{"constant", 0}, {"sign", -0.05}, {"sign_sin", 0.05}, {"ripple", 4}},
+                {},
+                ""});
+  const EmpiricalFit fit =
+      fitTo(set, {"sgn v", "sgn v with sin and cos of 4 q", "sin and cos of 17 q"});
+  EXPECT_EQ(fit.left_out, std::vector<std::string>{"sin and cos of 17 q"});
+  EXPECT_NEAR(fit.setting.parameters.at("ripple"), 4, 0.6);
+  EXPECT_LT(fit.after, 0.4 * fit.before);
+}
+
 // A ripple of the torque, of which the report of a whole robot says no more than where it is.
 TEST(Empirical, LooksForTheShapeThatAWholeRobotsReportDoesNotTell) {
   const LogSet set =
