@@ -63,8 +63,9 @@ std::vector<EffectSetting> empiricalEffects(const Options& options, const std::s
   for (const validation::UnknownJoint& unknown : unknowns) {
     if (auto torque = torqueOf(unknown, model, prepared)) found.push_back(std::move(*torque));
   }
-  if (found.empty())
+  if (found.empty()) {
     throw InputError("--empirical: no joint's remainder is a torque by its motion");
+  }
   return found;
 }
 
