@@ -11,7 +11,7 @@
 namespace nao::validation {
 
 /// Whether a joint is to be searched once more by the usual noise of its repeats [N m, SD of the
-/// torque]: they scatter as by by far more, and this verdict does not tell why. What it tells may
+/// torque]: they scatter as under far more, and this verdict does not tell why. What it tells may
 /// be of no interest: in such noise a joint that sticks tells no size.
 bool isLoud(const JointVerdict& verdict, double fitted, double usual);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/effects/coupled_stop.h"
+#include "validation/diagnosis/maths/block_bootstrap.h"
 #include "validation/diagnosis/rig/merge_effects.h"
 
 namespace nao::validation {
@@ -13,12 +14,12 @@ namespace {
 // them.
 constexpr double kFlattest = 0.12, kSteeper = 1.35;
 constexpr int kSlopes = 12;
-constexpr double kSteepest = 4;
+constexpr double kSteepest = 4;  // beyond the row's last
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return (values[(n - 1) / 2] + values[n / 2]) / 2;
+double median(const std::vector<double>& values) {
+  return quantileOf(
+      Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())),
+      0.5);
 }
 
 // The median run of every motion says how far it went; no motion went beyond.

@@ -23,12 +23,14 @@ TEST(TouchedLines, AreMetByNothingThatTheyWereMeasuredFrom) {
   }
 }
 
-// A run that went further than the others of its motion tells nothing, a motion that did all.
+// One run that went further than the others of its motion tells nothing; a whole motion does.
 TEST(TouchedLines, GoAsFarAsTheMedianRunOfTheMotionThatWentFurthest) {
   const auto run = [](double left) {
     return StopApproach{Eigen::VectorXd::Constant(1, 0.5), Eigen::VectorXd::Constant(1, left)};
   };
-  for (const auto& line : touchedLines({{run(0.2), run(0.01), run(0.3)}, {run(0.4)}})) {
+  const auto lines = touchedLines({{run(0.2), run(0.01), run(0.3)}, {run(0.4)}});
+  EXPECT_EQ(lines.size(), 25u);  // one from zero, twelve slopes of either sign
+  for (const auto& line : lines) {
     EXPECT_NEAR(line[0] * (0.5 - line[1]), 0.2, 1e-12) << line[0];
   }
 }
@@ -61,6 +63,7 @@ LogSet recordStopped(const std::shared_ptr<const RobotModel>& model) {
 TEST(TouchedLines, OfAJointOnARigGoWhereAHiddenStopWas) {
   const auto model = std::make_shared<RobotModel>(suspend(*test::robot("nao_h21_v33")));
   const PreparedSet set = prepareSet(recordStopped(model), model, 1);
+  ASSERT_EQ(set.joints.size(), 2u);
   for (const PreparedJoint& joint : set.joints) {
     const auto lines = joint.simulator->touchedLines(false);
     if (joint.simulator->joint() == "LAnklePitch") {
