@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "app/source_paths.h"
 #include "validation/diagnosis/extend/empirical.h"
+#include "validation/diagnosis/folds/diagnose_folds.h"
 #include "validation/diagnosis/report/report_file.h"
 #include "validation/diagnosis/rig/merge_effects.h"
 #include "validation/log/log_robots.h"
@@ -36,7 +37,10 @@ std::optional<EffectSetting> torqueOf(const validation::UnknownJoint& unknown,
   const auto features =
       unknown.features.empty() ? validation::remainingFeatures(joint) : unknown.features;
   if (features.empty()) {
-    std::printf("%s: left out, as nothing that remains goes with its motion\n", name);
+    std::printf("%s: left out, as %s\n", name,
+                validation::isWithoutRepeats(*joint.simulator)
+                    ? "without repeats nothing tells what remains from noise"
+                    : "nothing that remains goes with its motion");
     return std::nullopt;
   }
   auto fit = validation::fitEmpirical(joint, features);

@@ -7,6 +7,7 @@
 
 #include "core/config.h"
 #include "validation/diagnosis/causes/causes.h"
+#include "validation/diagnosis/folds/diagnose_folds.h"
 #include "validation/diagnosis/folds/motion_fit.h"
 #include "validation/diagnosis/joint/joint_search.h"
 #include "validation/diagnosis/report/report_file.h"
@@ -165,7 +166,7 @@ const PreparedJoint& jointOf(const PreparedSet& set, const std::string& joint) {
 
 std::vector<std::string> remainingFeatures(const PreparedJoint& joint) {
   std::vector<std::string> features;
-  if (joint.simulator->measured().front().repeats.size() < 2) return features;
+  if (isWithoutRepeats(*joint.simulator)) return features;
   const DiagnosisOptions usual;
   JointSearch search(*joint.simulator, joint.noise, jointCauses(), usual.effort,
                      usual.runs_per_joint);
@@ -190,7 +191,7 @@ EmpiricalFit fitEmpirical(const PreparedJoint& joint, const std::vector<std::str
   }
   complete(cause, *joint.simulator);
   MotionFitOptions options;
-  options.runs = joint.simulator->measured().front().repeats.size() > 1 ? kRuns : 1;
+  options.runs = isWithoutRepeats(*joint.simulator) ? 1 : kRuns;
   const std::vector<Cause> causes{cause};
   const MotionFit fit(*joint.simulator, joint.noise, causes, options);
   std::vector<std::size_t> motions;

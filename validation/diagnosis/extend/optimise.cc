@@ -10,6 +10,7 @@
 #include "core/check.h"
 #include "sim/effects/parameter.h"
 #include "sim/joint_rig.h"
+#include "validation/diagnosis/folds/diagnose_folds.h"
 #include "validation/diagnosis/folds/motion_fit.h"
 #include "validation/diagnosis/jobs/team.h"
 #include "validation/diagnosis/maths/block_bootstrap.h"
@@ -186,11 +187,8 @@ class SetFit {
     }
     shares_.push_back(std::move(share));
     JointShare& kept = shares_.back();
-    const auto& measured = simulator(j).measured();
-    const bool repeats = std::any_of(measured.begin(), measured.end(),
-                                     [](const JointMotion& m) { return m.repeats.size() > 1; });
     MotionFitOptions options;
-    options.runs = repeats ? options_.runs : 1;
+    options.runs = isWithoutRepeats(simulator(j)) ? 1 : options_.runs;
     kept.fit =
         std::make_unique<MotionFit>(simulator(j), set_.joints[j].noise, kept.causes, options);
   }
