@@ -45,20 +45,8 @@ bool isAnyRight(const Truth& truth, const GivenCause& given) {
                      [&](const HiddenTruth& hidden) { return isRight(truth, hidden, given); });
 }
 
-// A coarse encoder is told by its counts, before anything is simulated.
-bool isCoarseEncoder(const Truth& truth, const GivenReport& report) {
-  return truth.hidden.front().cause == "encoder_quantum" && report.verdict == "data_fault" &&
-         has(report.faults, "quantum");
-}
-
 void scoreFirst(const Truth& truth, const GivenReport& report, Score& score) {
-  if (truth.hidden.empty()) return;
-  if (isCoarseEncoder(truth, report)) {
-    score.exact = score.truth_in_set = true;
-    score.set_size = 1;
-    return;
-  }
-  if (report.causes.empty()) return;
+  if (truth.hidden.empty() || report.causes.empty()) return;
   const GivenCause& first = report.causes.front();
   score.exact = isRight(truth, truth.hidden.front(), first);
   score.look_alike = isLookAlike(truth, first);

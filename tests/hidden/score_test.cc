@@ -85,14 +85,6 @@ TEST(Score, ALookAlikeThatIsListedBeforehandIsAmbiguousNeitherExactNorWrong) {
   EXPECT_TRUE(score(truth, saying("named", {named("backlash")})).named_wrong);
 }
 
-TEST(Score, ACoarseEncoderMayBeToldByTheDataAlone) {
-  GivenReport report = saying("data_fault");
-  EXPECT_FALSE(score(hiding("encoder_quantum"), report).exact);
-  report.faults = {"quantum"};
-  EXPECT_TRUE(score(hiding("encoder_quantum"), report).exact);
-  EXPECT_FALSE(score(hiding("kp_error"), report).exact);
-}
-
 TEST(Score, ADataFaultIsNamedByItsKind) {
   Truth truth;
   truth.kind = Kind::DataFault;

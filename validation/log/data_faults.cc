@@ -160,6 +160,10 @@ bool anyFault(const std::vector<DataFault>& findings) {
   return std::any_of(findings.begin(), findings.end(), [](const DataFault& f) { return !f.note; });
 }
 
+bool isOneEncoders(const DataFault& fault) {
+  return fault.kind == DataFaultKind::Quantum && !fault.column.empty();
+}
+
 Report reportDataFaults(const LogSet& set, const std::vector<DataFault>& findings) {
   Report report;
   report.command = "check-data";

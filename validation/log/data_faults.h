@@ -49,6 +49,10 @@ std::vector<DataFault> findDataFaults(const LogSet& set, const RobotModel* model
 /// Whether any finding is more than a note.
 bool anyFault(const std::vector<DataFault>& findings);
 
+/// Whether a diagnosis by joints names it itself: coarse steps of one encoder, a cause like others
+/// (encoder_quantum) that may stand beside others; those of all joints are the recording's.
+bool isOneEncoders(const DataFault& fault);
+
 /// For `usarnaoqi check-data`.
 Report reportDataFaults(const LogSet& set, const std::vector<DataFault>& findings);
 

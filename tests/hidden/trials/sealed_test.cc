@@ -99,5 +99,25 @@ TEST_F(Sealed, SwappedJointsAreADataFaultNotACause) {
   EXPECT_TRUE(score(sealed.truth, report).fault_named) << said.printed;
 }
 
+Wish wishFor(const std::string& cause, double size) {
+  for (const Hideout& hideout : catalogueHideouts()) {
+    if (hideout.cause == cause) return {hideout, size};
+  }
+  ADD_FAILURE() << "no hideout of " << cause;
+  return {};
+}
+
+// A diagnosis stopped at the coarse encoder: what else was wrong with the joint was not looked for.
+TEST_F(Sealed, ACoarseEncoderIsOneCauseBesideOthers) {
+  HiddenCase hidden = smallCase(Kind::Pair);
+  hidden.wishes = {wishFor("encoder_quantum", 12), wishFor("command_filter", 14)};
+  const SealedSet sealed = sealSet(hidden, place());
+  ASSERT_TRUE(sealed.truth.shortfall.empty()) << sealed.truth.shortfall;
+  const Diagnosed said =
+      diagnoseSealed(sealed.folder, hidden.robot(), folder_.path() + "/report", place());
+  ASSERT_FALSE(said.report.empty()) << said.printed;
+  EXPECT_EQ(score(sealed.truth, readReport(said.report)).found, 2) << said.printed;
+}
+
 }  // namespace
 }  // namespace nao::hidden

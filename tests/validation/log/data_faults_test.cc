@@ -176,6 +176,17 @@ TEST_F(DataFaults, TellAnEncoderThatIsCoarserThanStated) {
     for (double& q : run.columns["q.RHipPitch"]) q = quantise(q, 0.02);
   }
   expectOnly(DataFaultKind::Quantum, "", "q.RHipPitch");
+  EXPECT_TRUE(isOneEncoders(find().at(0)));
+}
+
+TEST_F(DataFaults, TellOneCoarseEncoderFromACoarseRecording) {
+  for (LogRun& run : set_.runs) {
+    for (const LogJoint& joint : set_.joints) {
+      for (double& q : run.columns["q." + joint.name]) q = quantise(q, 0.01);
+    }
+  }
+  expectOnly(DataFaultKind::Quantum, "", "");
+  EXPECT_FALSE(isOneEncoders(find().at(0)));
 }
 
 TEST_F(DataFaults, TellSwappedJoints) {
