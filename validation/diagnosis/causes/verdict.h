@@ -155,7 +155,7 @@ struct JointVerdict {
   /// measured ones do, and of the robot's file; 0: not known.
   double noise = 0, nominal_noise = 0;
   long runs = 0;          // simulated
-  std::string signature;  // of the remainder; empty: none was sought
+  std::string signature;  // of what has no name; empty: none was sought
   StatementKind kind{};   // likewise, if nothing is named here
   std::string record{};
 

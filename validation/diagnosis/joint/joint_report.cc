@@ -18,10 +18,9 @@ constexpr double kNormal90 = 1.645;  // [SD] half an interval, of a normal distr
 // How well a fitted noise is known: null sets draw theirs from what the fit says. Hidden nulls left
 // 0.6 to 1.09 of the noise floor (60 joints), laws without a name 5 and more.
 constexpr double kNoiseKnown = 1.1;
-constexpr double kExcited = 1;   // squared noise SDs of a look: else it cannot be judged
-constexpr double kTold = 0.2;    // of a small difference's variance that data must take away
-constexpr double kLeans = 0.1;   // of the greatest gain: missed
-constexpr double kMostly = 0.9;  // of a misfit's excess: what explains it is more than a stand-in
+constexpr double kExcited = 1;  // squared noise SDs of a look: else it cannot be judged
+constexpr double kTold = 0.2;   // of a small difference's variance that data must take away
+constexpr double kLeans = 0.1;  // of the greatest gain: missed
 
 void doubt(Finding& finding, const std::string& experiment) {
   finding.rivals.push_back(whatHasNoName());
@@ -185,7 +184,7 @@ void JointSearch::judge(JointVerdict& verdict) {
   if (remains) {
     doubt(verdict);
     verdict.adjustments.clear();  // they would stand in for what has no name
-    verdict.signature = remainingShape(verdict).text();
+    verdict.signature = shapeOfUnknown().text();
   } else {
     doubtThoseAtEnd(verdict);
   }
@@ -211,16 +210,16 @@ void JointSearch::doubtThoseAtEnd(JointVerdict& verdict) const {
   }
 }
 
-// Where what was found explains but a part, it more likely stands in for one of the unknown: all is
-// the remainder then. So it is where what several of them leave has no shape.
-Signature JointSearch::remainingShape(const JointVerdict& verdict) const {
-  const auto excess = [](double misfit) { return misfit * misfit - 1; };
-  const bool mostly = excess(verdict.misfit_after) <= (1 - kMostly) * excess(verdict.misfit_before);
-  if (nominal_ && !mostly) return signatureOf(joint_, data_, *nominal_, {});
+// What was found beside an unknown mostly stands in for a part of it: the shape is that of all, and
+// of what is left only where all has none.
+Signature JointSearch::shapeOfUnknown() const {
   std::vector<EffectSetting> model = ensemble_.given();
+  if (nominal_) {
+    Signature of_all = signatureOf(joint_, data_, *nominal_, model);
+    if (!of_all.terms.empty()) return of_all;
+  }
   for (const EffectSetting& one : settingsOf(causes_, stage_->model())) model.push_back(one);
-  const Signature left = signatureOf(joint_, data_, *stage_, model);
-  return left.terms.empty() && nominal_ ? signatureOf(joint_, data_, *nominal_, {}) : left;
+  return signatureOf(joint_, data_, *stage_, model);
 }
 
 // What is left, in SDs of what null sets leave.

@@ -166,7 +166,7 @@ class JointSearch {
   bool leansOnATrifle(const JointVerdict& verdict) const;
   void doubtThoseAtEnd(JointVerdict& verdict) const;
   void judgeRemainder(JointVerdict& verdict) const;
-  Signature remainingShape(const JointVerdict& verdict) const;
+  Signature shapeOfUnknown() const;
   void describe(JointVerdict& verdict);
   void addFindings(JointVerdict& verdict);
   Eigen::VectorXd unroundedAngle();

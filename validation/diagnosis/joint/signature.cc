@@ -42,39 +42,29 @@ struct Products {
   }
 };
 
-// What remains of every motion, however large the model's own causes are.
+// What remains of every motion.
 class Remainder {
  public:
-  explicit Remainder(Columns own) : own_(std::move(own)) {}
   /// `torque` of one motion, as its features by the SD of noise.
   void add(const std::shared_ptr<const Along>& along, const Eigen::VectorXd& torque) {
     motions_.push_back({along, along->x.transpose() * torque});
     excess_ += torque.squaredNorm() - static_cast<double>(torque.size());
   }
   // Squares that noise does not account for.
-  double excess() const { return excess_ - std::max(0.0, byOthers(own_)); }
+  double excess() const { return excess_; }
   std::size_t motions() const { return motions_.size(); }
-  // What these columns explain of left-out motions' squares beyond the model's own.
-  double explained(const Columns& columns) const {
-    return byOthers(withOwn(columns)) - byOthers(own_);
-  }
+  // What these columns explain of left-out motions' squares, fitted to the others.
+  double explained(const Columns& columns) const;
   // The same of no motion that is left out: more, the more columns there are.
-  double fitted(const Columns& columns) const { return byFit(withOwn(columns)) - byFit(own_); }
+  double fitted(const Columns& columns) const;
 
  private:
-  Columns withOwn(Columns columns) const {
-    columns.insert(columns.end(), own_.begin(), own_.end());
-    return columns;
-  }
   Products products(const Columns& columns) const;
-  double byOthers(const Columns& columns) const;
-  double byFit(const Columns& columns) const;
 
   struct Motion {
     std::shared_ptr<const Along> along;
     Eigen::VectorXd xy;
   };
-  Columns own_;
   std::vector<Motion> motions_;
   double excess_ = 0;
 };
@@ -89,8 +79,7 @@ Products Remainder::products(const Columns& columns) const {
   return all;
 }
 
-// What these columns explain of left-out motions' squares, fitted to the others.
-double Remainder::byOthers(const Columns& columns) const {
+double Remainder::explained(const Columns& columns) const {
   const Products all = products(columns);
   double explained = 0;
   for (const Motion& out : motions_) {
@@ -102,7 +91,7 @@ double Remainder::byOthers(const Columns& columns) const {
   return std::isfinite(explained) ? explained : 0;
 }
 
-double Remainder::byFit(const Columns& columns) const {
+double Remainder::fitted(const Columns& columns) const {
   const Products all = products(columns);
   const double explained = all.fit().dot(all.xy);
   return std::isfinite(explained) ? explained : 0;
@@ -159,7 +148,7 @@ class Lack {
 
 // What the measurement and what null sets leave.
 struct Remainders {
-  Remainders(const Columns& own, std::size_t of_nulls) : measured(own), nulls(of_nulls, measured) {}
+  explicit Remainders(std::size_t of_nulls) : nulls(of_nulls) {}
 
   Remainder measured;
   std::vector<Remainder> nulls;
@@ -205,17 +194,6 @@ void addMotion(const Lack& lack, const Stage& stage, const TorqueFeatures& featu
   for (std::size_t i = 0; i < nulls; ++i) {
     all.nulls[i].add(along, whiten(chance.col(static_cast<Eigen::Index>(i))));
   }
-}
-
-// Of the features that causes are.
-Columns ownColumns(const TorqueFeatures& features, const std::vector<EffectSetting>& causes) {
-  Columns own;
-  for (const TorqueFeatures::Feature& one : features.all()) {
-    const auto is = [&](const EffectSetting& cause) { return featureOf(cause.name) == one.name; };
-    if (std::none_of(causes.begin(), causes.end(), is)) continue;
-    own.insert(own.end(), one.columns.begin(), one.columns.end());
-  }
-  return own;
 }
 
 // What each feature must explain to be told from chance: as many times what it explains of null
@@ -295,7 +273,7 @@ std::vector<Eigen::Index> rowsOffStops(const Eigen::MatrixXd& motion,
 Signature signatureOf(const JointSimulator& joint, const JointData& data, const Stage& stage,
                       const std::vector<EffectSetting>& causes) {
   const TorqueFeatures features;
-  Remainders all(ownColumns(features, causes), std::min(kNulls, stage.nulls().size() / 2));
+  Remainders all(std::min(kNulls, stage.nulls().size() / 2));
   for (const MotionSpan& span : data.spans()) {
     if (span.split != Split::Fit) continue;
     const Lack lack(joint, stage, causes, span);

@@ -14,7 +14,7 @@ struct SignatureTerm {
   double explained = 0;  // of the remainder's torque on motions left out, with the terms before it
 };
 
-/// What is left of a joint's misfit, as a torque, written as a short sum of features of its motion:
+/// A joint's misfit beside a model, as a torque, written as a short sum of features of its motion:
 /// the shape of a law that the catalogue does not know. Terms are chosen one by one, each for what
 /// it explains of motions that it was not fitted to; none: nothing is systematic, or the set has
 /// but one fit motion.

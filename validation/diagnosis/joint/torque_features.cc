@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <map>
 
 namespace nao::validation {
 namespace {
@@ -80,14 +79,6 @@ void TorqueFeatures::addDryPlaces() {
     std::snprintf(text, sizeof text, "sgn v near |v| = %.2f", bandSpeed(i));
     add(text, 1);
   }
-}
-
-std::string featureOf(const std::string& effect) {
-  static const std::map<std::string, std::string> kFeatures = {
-      {"coulomb_friction", "sgn v"}, {"viscous_friction", "v"}, {"torque_bias", "1"},
-      {"motor_inertia", "a"},        {"kp_error", "e"},         {"cable_spring", "q"}};
-  const auto at = kFeatures.find(effect);
-  return at == kFeatures.end() ? "" : at->second;
 }
 
 Eigen::VectorXd TorqueFeatures::misreading(Eigen::Index i, const Eigen::VectorXd& angle) const {

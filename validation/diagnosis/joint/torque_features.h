@@ -40,7 +40,4 @@ class TorqueFeatures {
   Eigen::Index columns_ = 0, misreadings_ = 0;
 };
 
-/// The feature that the torque of an effect is, "v" of viscous_friction; empty: it is none.
-std::string featureOf(const std::string& effect);
-
 }  // namespace nao::validation

@@ -161,7 +161,7 @@ std::string toText(const SetDiagnosis& diagnosis) {
     for (const Finding* finding : joint.named()) write(out, joint.joint, *finding);
     if (joint.verdict == Verdict::Unknown || joint.verdict == Verdict::PartlyExplained) {
       out << joint.joint << ": " << unexplainedBy(joint);
-      if (!joint.signature.empty()) out << "; it goes with " << joint.signature;
+      if (!joint.signature.empty()) out << "; what the model lacks goes with " << joint.signature;
       out << "\n";
       if (!joint.record.empty()) out << "  such statements before: " << joint.record << "\n";
     }

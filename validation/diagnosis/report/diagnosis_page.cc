@@ -43,10 +43,11 @@ std::string headline(const SetDiagnosis& diagnosis, const std::vector<Examined>&
     }
     const Verdict word = joint.verdict->verdict;
     if (word == Verdict::Unknown || word == Verdict::PartlyExplained) {
-      text +=
-          joint.verdict->joint + " shows something that no cause of the catalogue explains" +
-          (joint.verdict->signature.empty() ? "" : "; it goes with " + joint.verdict->signature) +
-          ". ";
+      text += joint.verdict->joint + " shows something that no cause of the catalogue explains" +
+              (joint.verdict->signature.empty()
+                   ? ""
+                   : "; what the model lacks goes with " + joint.verdict->signature) +
+              ". ";
     }
   }
   if (text.empty()) {

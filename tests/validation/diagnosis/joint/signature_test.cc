@@ -70,9 +70,8 @@ TEST(Signature, FindsASpeedAtWhichAGearBrakes) {
   EXPECT_EQ(firstFeature(laws), "sgn v near |v| = 0.81");  // of the library's speeds
 }
 
-// Viscous friction explains most of it, and of what is left a brake at high speed: as long as the
-// friction is what it is beside nothing else.
-TEST(Signature, FindsWhatIsLeftWhateverTheNumbersOfTheModelAre) {
+// Viscous friction explains most of it; of what is left beside it a brake at high speed.
+TEST(Signature, IsThatOfAllThatHasNoNameNotOfWhatACauseLeaves) {
   ToyLaws laws;
   laws.drag = 0.1;
   const test::ToyJoint toy(laws, 3);
