@@ -115,7 +115,7 @@ void addExtend(CLI::App& app) {
   command->add_option("--robot-id", options->accepted.robot_id,
                       "Of a set of several robots the one that is extended.");
   command->add_flag("--empirical", options->empirical,
-                    "Also what has no name: the signature of what remains, as a torque.");
+                    "Also what has no name: the signature of the unknown, as a torque.");
   command->add_flag("--causes-only", options->causes_only,
                     "Without the small adjustments that the report lists beside the causes.");
   command->add_option("--set", options->set, "The diagnosed set, for --empirical.");

@@ -38,7 +38,7 @@ void doubt(SharedFinding& shared, const std::vector<JointVerdict>& joints) {
   }
   Finding& finding = shared.finding;
   finding.rivals.push_back(whatHasNoName());
-  if (finding.rivals.size() == 1) finding.experiment = "look at the signature of what remains";
+  if (finding.rivals.size() == 1) finding.experiment = "look at the signature of the unknown";
 }
 
 // What several joints share. Where the link of one explains the same better than one gravity for

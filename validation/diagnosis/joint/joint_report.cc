@@ -30,7 +30,7 @@ void doubt(Finding& finding, const std::string& experiment) {
 // Beside a remainder a cause may be the nearest imitation of a law that is not in the catalogue: it
 // is not named alone.
 void doubt(JointVerdict& verdict) {
-  for (Finding& finding : verdict.findings) doubt(finding, "look at the signature of what remains");
+  for (Finding& finding : verdict.findings) doubt(finding, "look at the signature of the unknown");
 }
 
 Verdict verdictOf(const JointVerdict& joint, bool remains) {
