@@ -23,14 +23,17 @@ bool isRight(const Truth& truth, const HiddenTruth& hidden, const GivenCause& gi
   return isThere(truth, hidden, given) && looksAlike(hidden.cause, given.cause);
 }
 
-// One of those that the truth lists beforehand.
+// One of those that the truth lists beforehand as looking like this one.
+bool isListed(const Truth& truth, const HiddenTruth& hidden, const GivenCause& given) {
+  const auto& all = hidden.look_alikes;
+  return !isRight(truth, hidden, given) && isThere(truth, hidden, given) &&
+         std::any_of(all.begin(), all.end(),
+                     [&](const std::string& one) { return looksAlike(one, given.cause); });
+}
+
 bool isLookAlike(const Truth& truth, const GivenCause& given) {
-  return std::any_of(truth.hidden.begin(), truth.hidden.end(), [&](const HiddenTruth& hidden) {
-    const auto& all = hidden.look_alikes;
-    return !isRight(truth, hidden, given) && isThere(truth, hidden, given) &&
-           std::any_of(all.begin(), all.end(),
-                       [&](const std::string& one) { return looksAlike(one, given.cause); });
-  });
+  return std::any_of(truth.hidden.begin(), truth.hidden.end(),
+                     [&](const HiddenTruth& hidden) { return isListed(truth, hidden, given); });
 }
 
 bool isAmong(const Truth& truth, const HiddenTruth& hidden, const GivenCause& given) {
@@ -62,9 +65,14 @@ void scorePair(const Truth& truth, const GivenReport& report, Score& score) {
     score.named += right || !isLookAlike(truth, given);
     score.named_right += right;
   }
+  const auto isAny = [&](const auto& of) {
+    return std::any_of(report.causes.begin(), report.causes.end(), of);
+  };
   for (const HiddenTruth& hidden : truth.hidden) {
-    score.found += std::any_of(report.causes.begin(), report.causes.end(),
-                               [&](const GivenCause& c) { return isRight(truth, hidden, c); });
+    score.found += isAny([&](const GivenCause& c) { return isRight(truth, hidden, c); });
+    score.found_among += isAny([&](const GivenCause& c) {
+      return isAmong(truth, hidden, c) || isListed(truth, hidden, c);
+    });
   }
 }
 

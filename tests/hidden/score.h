@@ -22,6 +22,7 @@ struct Score {
   int set_size = 0;  // of the first cause and its rivals; 0: nothing was named
   // Pairs.
   int found = 0;                   // of the hidden ones
+  int found_among = 0;             // so, or as rivals, or by look-alikes listed beforehand
   int named = 0, named_right = 0;  // look-alikes are neither
   // Strangers.
   bool flagged = false;  // unknown, or partly explained with no cause named alone

@@ -85,6 +85,23 @@ TEST(Score, ALookAlikeThatIsListedBeforehandIsAmbiguousNeitherExactNorWrong) {
   EXPECT_TRUE(score(truth, saying("named", {named("backlash")})).named_wrong);
 }
 
+// "A spring, or gravity" beside what else is hidden tells both, though not by its first names.
+TEST(Score, OfAPairRivalsAndListedLookAlikesAreFoundAmongWhatIsTold) {
+  Truth truth = hiding("cable_spring");
+  truth.kind = Kind::Pair;
+  truth.hidden.push_back(hiding("backlash").hidden[0]);
+  const auto telling = [&](std::vector<GivenCause> causes) {
+    return score(truth, saying("ambiguous", std::move(causes)));
+  };
+  const Score rival =
+      telling({named("gravity_scale", "HeadYaw", {"cable_spring"}), named("backlash")});
+  EXPECT_EQ(rival.found, 1);
+  EXPECT_EQ(rival.found_among, 2);
+  EXPECT_EQ(telling({named("gravity_scale"), named("backlash")}).found_among, 1);
+  truth.hidden[0].look_alikes = {"gravity_scale"};
+  EXPECT_EQ(telling({named("gravity_scale"), named("backlash")}).found_among, 2);
+}
+
 TEST(Score, ADataFaultIsNamedByItsKind) {
   Truth truth;
   truth.kind = Kind::DataFault;

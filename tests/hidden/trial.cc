@@ -88,6 +88,7 @@ Json toJson(const Score& score) {
           {"unknown", score.unknown},
           {"set_size", score.set_size},
           {"found", score.found},
+          {"found_among", score.found_among},
           {"named", score.named},
           {"named_right", score.named_right},
           {"flagged", score.flagged},
