@@ -90,7 +90,7 @@ void stopAtFaults(const validation::LogSet& set, const RobotModel& model, const 
                   const validation::Team& team) {
   auto faults = validation::findDataFaults(set, &model);
   const auto is_allowed = [&](const validation::DataFault& fault) {
-    return level == "joint" ? validation::isOneEncoders(fault)
+    return level == "joint" ? validation::isOneCoarseEncoder(fault)
                             : fault.kind == validation::DataFaultKind::Misaligned;
   };
   faults.erase(std::remove_if(faults.begin(), faults.end(), is_allowed), faults.end());

@@ -97,9 +97,9 @@ void addNull(const Json& line, bool exact, Figures& f) {
 void addPair(const Json& line, Figures& f, Lists& lists) {
   const Json& score = line.at("score");
   ++f.pairs;
-  const int found = score.at("found");
-  f.pairs_both_found += found == 2;
-  f.pairs_both_among += score.value("found_among", found) == 2;  // old results do not tell
+  f.pairs_both_found += score.at("found").get<int>() == 2;
+  f.pairs_told_among += score.contains("found_among");
+  f.pairs_both_among += score.value("found_among", 0) == 2;
   f.pairs_named += score.at("named").get<int>();
   f.pairs_named_right += score.at("named_right").get<int>();
   addNumbers(line, f, lists);
@@ -257,7 +257,7 @@ std::string toText(const Figures& f) {
   text += row("weak singles: detected", {f.weak_detected, f.weak_singles});
   text += row("weak singles: named alone and wrong", {f.weak_named_wrong, f.weak_singles});
   text += row("pairs: both found", {f.pairs_both_found, f.pairs});
-  text += row("  rivals and listed look-alikes too", {f.pairs_both_among, f.pairs});
+  text += row("  rivals and listed look-alikes too", {f.pairs_both_among, f.pairs_told_among});
   text += row("pairs: named causes that are right", {f.pairs_named_right, f.pairs_named});
   text += row("out of catalogue: flagged", {f.unknowns_flagged, f.unknowns});
   text += row("out of catalogue: feature in first two", {f.signature_in_first_two, f.unknowns});
@@ -309,6 +309,7 @@ std::string toJson(const Figures& f, const std::string& preset, double wall) {
                      {"weak_named_wrong", f.weak_named_wrong},
                      {"pairs", f.pairs},
                      {"pairs_both_found", f.pairs_both_found},
+                     {"pairs_told_among", f.pairs_told_among},
                      {"pairs_both_among", f.pairs_both_among},
                      {"pairs_named", f.pairs_named},
                      {"pairs_named_right", f.pairs_named_right},

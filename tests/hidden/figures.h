@@ -31,7 +31,8 @@ struct Figures {
   int likenesses = 0, likenesses_exact = 0;  // of the singles, those of a law of their own
   int weak_singles = 0, weak_detected = 0, weak_named_wrong = 0;
   int pairs = 0, pairs_both_found = 0, pairs_named = 0, pairs_named_right = 0;
-  int pairs_both_among = 0;  // with rivals and look-alikes listed beforehand
+  /// With rivals and look-alikes listed beforehand, of those whose results tell it.
+  int pairs_told_among = 0, pairs_both_among = 0;
   int unknowns = 0, unknowns_flagged = 0, signature_in_first_two = 0;
   int imitated = 0;  // of the skipped: strangers that some cause imitates wherever they were tried
   int data_fault_sets = 0, data_faults_found = 0, data_faults_named = 0;

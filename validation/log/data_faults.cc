@@ -160,7 +160,7 @@ bool anyFault(const std::vector<DataFault>& findings) {
   return std::any_of(findings.begin(), findings.end(), [](const DataFault& f) { return !f.note; });
 }
 
-bool isOneEncoders(const DataFault& fault) {
+bool isOneCoarseEncoder(const DataFault& fault) {
   return fault.kind == DataFaultKind::Quantum && !fault.column.empty();
 }
 

@@ -51,7 +51,7 @@ bool anyFault(const std::vector<DataFault>& findings);
 
 /// Whether a diagnosis by joints names it itself: coarse steps of one encoder, a cause like others
 /// (encoder_quantum) that may stand beside others; those of all joints are the recording's.
-bool isOneEncoders(const DataFault& fault);
+bool isOneCoarseEncoder(const DataFault& fault);
 
 /// For `usarnaoqi check-data`.
 Report reportDataFaults(const LogSet& set, const std::vector<DataFault>& findings);

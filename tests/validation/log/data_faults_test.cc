@@ -176,7 +176,7 @@ TEST_F(DataFaults, TellAnEncoderThatIsCoarserThanStated) {
     for (double& q : run.columns["q.RHipPitch"]) q = quantise(q, 0.02);
   }
   expectOnly(DataFaultKind::Quantum, "", "q.RHipPitch");
-  EXPECT_TRUE(isOneEncoders(find().at(0)));
+  EXPECT_TRUE(isOneCoarseEncoder(find().at(0)));
 }
 
 TEST_F(DataFaults, TellOneCoarseEncoderFromACoarseRecording) {
@@ -186,7 +186,7 @@ TEST_F(DataFaults, TellOneCoarseEncoderFromACoarseRecording) {
     }
   }
   expectOnly(DataFaultKind::Quantum, "", "");
-  EXPECT_FALSE(isOneEncoders(find().at(0)));
+  EXPECT_FALSE(isOneCoarseEncoder(find().at(0)));
 }
 
 TEST_F(DataFaults, TellSwappedJoints) {
