@@ -27,9 +27,11 @@ struct ToyLaws {
   double asymmetry = 0, deadband = 0, play = 0, zero = 0, drop = 0, bias = 0;
   double sent = 0;  // [s] between the commands that come, 0: at any time
   double latency = 0.01, hold = 0, filter = 0, rate = 1e9, sensor_delay = 0.005, quantum = 0.0015;
-  double stop = -0.9;  // [rad] where it gets no lower
+  bool smoothed_first = false;  // of a command that is smoothed and limited
+  double stop = -0.9;           // [rad] where it gets no lower
+  double spring = 0;            // no cause of toyCauses()
   // No cause of the catalogue below:
-  double cogging = 0, cogs = 18, drag = 0, spring = 0, hum = 0, rise = 0, eccentric = 0;
+  double cogging = 0, cogs = 18, drag = 0, hum = 0, rise = 0, eccentric = 0;
   double spot = 0, band = 0;  // friction near an angle of 0.3 and near a speed of 0.8
   double pulse = 0;           // friction, half a second in every two
   double step = 0.002;        // [s]
@@ -45,6 +47,7 @@ inline void ToyLaws::set(const std::string& effect, const std::map<std::string, 
   if (effect == "load_friction") load += at("share");
   if (effect == "friction_asymmetry") asymmetry += at("torque");
   if (effect == "torque_bias") bias += at("torque");
+  if (effect == "cable_spring") spring += at("stiffness");
   if (effect == "torque_limit") stall *= at("part");
   if (effect == "voltage_sag") drop += at("drop");
   if (effect == "kp_error") kp *= 1 + at("part");
@@ -61,7 +64,7 @@ inline void ToyLaws::set(const std::string& effect, const std::map<std::string, 
   if (effect == "sensor_delay") sensor_delay = std::max(0.0, sensor_delay + at("delay"));
   if (effect == "command_hold") hold += at("interval");
   if (effect == "command_filter") filter += at("time");
-  if (effect == "rate_limit") rate = at("rate");
+  if (effect == "rate_limit") rate = at("rate"), smoothed_first = filter > 0;
   if (effect == "encoder_quantum") quantum += at("quantum");
 }
 
@@ -130,7 +133,7 @@ class ToyRun {
         step();
       }
       found.torque[row] = led_by / steps;
-      const double error = filtered_ - q_ - laws_.zero;
+      const double error = commanded_ - q_ - laws_.zero;
       const double torque = laws_.kp * error - laws_.kd * u_;
       const double most = laws_.stall - std::copysign(laws_.stall, torque) * u_ / laws_.no_load;
       found.error[row] = std::abs(torque) < most ? error : 0;
@@ -143,7 +146,7 @@ class ToyRun {
 
   void begin() {
     q_ = toyCommand(motion_, 0);
-    filtered_ = limited_ = q_;
+    commanded_ = smoothed_ = limited_ = q_;
     trail_.assign(static_cast<std::size_t>(laws_.sensor_delay / laws_.step) + 1, q_ + laws_.zero);
     played_ = q_;
   }
@@ -164,10 +167,17 @@ class ToyRun {
     if (laws_.hold > 0) sent = std::floor(std::max(sent, 0.0) / laws_.hold) * laws_.hold;
     if (laws_.sent > 0) sent = std::floor(sent / laws_.sent) * laws_.sent;
     double wish = toyCommand(motion_, std::max(0.0, sent));
+    if (laws_.smoothed_first) return commanded_ = limited(smoothed(wish));
+    return commanded_ = smoothed(limited(wish));
+  }
+
+  double limited(double wish) {
     const double most = laws_.rate * laws_.step;
-    limited_ += std::clamp(wish - limited_, -most, most);
-    filtered_ += (limited_ - filtered_) * laws_.step / (laws_.filter + laws_.step);
-    return filtered_;
+    return limited_ += std::clamp(wish - limited_, -most, most);
+  }
+
+  double smoothed(double wish) {
+    return smoothed_ += (wish - smoothed_) * laws_.step / (laws_.filter + laws_.step);
   }
 
   double servo(double error) const {
@@ -224,7 +234,7 @@ class ToyRun {
   Random random_;
   JointNoise noise_;
   double start_ = 0, keep_ = 0, torque_ = 0;
-  double t_ = 0, q_ = 0, u_ = 0, filtered_ = 0, limited_ = 0, played_ = 0;
+  double t_ = 0, q_ = 0, u_ = 0, commanded_ = 0, smoothed_ = 0, limited_ = 0, played_ = 0;
   std::vector<double> trail_;
   std::size_t newest_ = 0;
   double led_ = 0;  // [N m] by which it is led

@@ -69,18 +69,28 @@ bool JointSearch::review() {
   return changed;
 }
 
-bool JointSearch::reviewOne(std::size_t place) {
-  Eigen::MatrixXd jacobian(data_.size(), 0);
-  for (std::size_t i = 0, column = 0; i < fit_.model.size(); ++i) {
-    const auto n = static_cast<Eigen::Index>(fit_.model[i].x.size());
-    if (i != place) {
-      const Eigen::Index before = jacobian.cols();
-      jacobian.conservativeResize(Eigen::NoChange, before + n);
-      jacobian.rightCols(n) = fit_.jacobian.middleCols(static_cast<Eigen::Index>(column), n);
-    }
-    column += static_cast<std::size_t>(n);
+// The sensitivities of one cause of the model.
+Eigen::MatrixXd JointSearch::slopesOf(std::size_t place) const {
+  Eigen::Index column = 0;
+  for (std::size_t i = 0; i < place; ++i) {
+    column += static_cast<Eigen::Index>(fit_.model[i].x.size());
   }
-  const auto without = std::make_unique<Stage>(*stage_, place, jacobian);
+  return fit_.jacobian.middleCols(column, static_cast<Eigen::Index>(fit_.model[place].x.size()));
+}
+
+std::unique_ptr<Stage> JointSearch::stageWithout(std::size_t place) const {
+  Eigen::MatrixXd jacobian(data_.size(), 0);
+  for (std::size_t i = 0; i < fit_.model.size(); ++i) {
+    if (i == place) continue;
+    const Eigen::MatrixXd slopes = slopesOf(i);
+    jacobian.conservativeResize(Eigen::NoChange, jacobian.cols() + slopes.cols());
+    jacobian.rightCols(slopes.cols()) = slopes;
+  }
+  return std::make_unique<Stage>(*stage_, place, jacobian);
+}
+
+bool JointSearch::reviewOne(std::size_t place) {
+  const auto without = stageWithout(place);
   std::vector<Candidate> ranking = candidates_.rankedAgain(*without, critical(), fit_.model[place]);
   candidates_.weigh(*without, byChance(), ranking);
   const std::size_t cause = accepted_[place].cause;

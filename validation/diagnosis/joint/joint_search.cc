@@ -200,13 +200,18 @@ std::string JointSearch::objection(const Stage& stage, const Candidate& candidat
   const bool unchecked = validation.folds == 0 && candidate.gain > kUnchecked * critical();
   if (!validation.accepted() && !unchecked) return "does not predict data it was not fitted to";
   if (shareOf(stage, candidate.gain) < kSmallestShare) return "explains under 3 % of the misfit";
-  if (candidate.gain < kLawError * greatestGain()) return kOffBy;
+  if (mayBeOffBy(candidate.gain, greatestGain())) return kOffBy;
   if (isAtEnd({candidate.cause, candidate.x})) return kEndOfRange;
   if (causes_[candidate.cause].one_for_all &&
       others_.costOf(candidate.cause, candidate.x[0]) > kUnchecked * critical()) {
     return "there is one for all joints, and others speak against it";
   }
   return "";
+}
+
+// Whether what explains this may be what the law of another that explains so much lacks.
+bool JointSearch::mayBeOffBy(double gain, double greatest) const {
+  return gain < kLawError * greatest;
 }
 
 double JointSearch::greatestGain() const {
@@ -348,17 +353,32 @@ void JointSearch::restore(Snapshot before) {
 
 bool JointSearch::step() {
   if (static_cast<int>(accepted_.size()) >= effort_.most_causes) return false;
-  return accept(candidates_.rankedAt(*stage_, byChance()));
+  std::vector<Candidate> ranking = candidates_.rankedAt(*stage_, byChance());
+  if (accepted_.empty()) noteFirsts(ranking);
+  return accept(std::move(ranking));
+}
+
+void JointSearch::noteFirsts(const std::vector<Candidate>& ranking) {
+  firsts_.clear();
+  for (const Candidate& one : ranking) {
+    if (one.gain > critical()) firsts_.push_back({one.cause, one.x});
+  }
+}
+
+void JointSearch::lookForMore() {
+  while (!newestTwoExplainLittle() && step() && !newestIsTrifle()) {
+  }
 }
 
 JointVerdict JointSearch::conclude(const OtherJoints& others) {
   others_ = others;
+  const Stage start = *stage_;
   for (int round = 0; round < 2; ++round) {  // a review may make room for one more
     const std::size_t before = accepted_.size();
-    while (!newestTwoExplainLittle() && step() && !newestIsTrifle()) {
-    }
+    lookForMore();
     if (accepted_.size() == before || !review()) break;
   }
+  if (takesPair(start)) lookForMore();
   refine();
   if (prune()) refine();
   rejectTheRest();

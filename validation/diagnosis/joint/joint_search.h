@@ -11,6 +11,7 @@
 #include "validation/diagnosis/joint/candidates.h"
 #include "validation/diagnosis/joint/cross_validation.h"
 #include "validation/diagnosis/joint/signature.h"
+#include "validation/diagnosis/maths/pairs.h"
 
 namespace nao::validation {
 
@@ -127,7 +128,10 @@ class JointSearch {
   bool swaps(std::size_t place, double gain, const Stage& without, const Candidate& best,
              const std::vector<Candidate>& ranking);
   bool step();
+  void lookForMore();
+  void noteFirsts(const std::vector<Candidate>& ranking);
   double greatestGain() const;
+  bool mayBeOffBy(double gain, double greatest) const;
   bool mayBeKinsLaw(const Candidate& candidate) const;
   bool newestIsTrifle() const;
   bool newestTwoExplainLittle() const;
@@ -146,7 +150,21 @@ class JointSearch {
   double shareOf(const Stage& stage, double gain) const;
   ByChance byChance() const;
   bool review();
+  Eigen::MatrixXd slopesOf(std::size_t place) const;
+  std::unique_ptr<Stage> stageWithout(std::size_t place) const;
   bool reviewOne(std::size_t place);
+  bool takesPair(const Stage& start);
+  bool mayBeTwoOthers() const;
+  CauseList partsOfPairs() const;
+  std::vector<PairPart> seenAlone(const Stage& start, const CauseList& parts);
+  std::vector<CauseList> pairsToFit(const Stage& start);
+  bool isOrderly(const CauseList& model) const;
+  std::optional<ModelFit> bestPair(const Stage& start);
+  void enterPair(const ModelFit& fit);
+  void weighEach();
+  void weighBesideOthers(std::size_t place);
+  bool isPairOfCauses(double greatest);
+  void forgetRejected(const CauseList& found);
   bool goesWithout(std::size_t place, double gain, const Stage& without);
   bool entersAsWell(const ModelFit& fit, double gain);
   double excess() const;
@@ -188,6 +206,7 @@ class JointSearch {
   std::unique_ptr<Stage> nominal_;  // before anything was taken, once something was
   ModelFit fit_;                    // of the model, where it is not empty
   Eigen::VectorXd left_;            // raw residual where its numbers came to rest
+  CauseList firsts_;                // that explained something before anything was taken
   NullRecord nulls_;
   OtherJoints others_;
   std::vector<std::size_t> given_;

@@ -247,6 +247,51 @@ TEST(JointSearch, ACauseAtTheEndOfItsRangeIsNamedIfASecondOneFreesIt) {
   }
 }
 
+// A cable that pulls back explains more gravity so well that a bias beside it was told as a
+// remainder.
+TEST(JointSearch, FindsTwoThatTwoOthersImitate) {
+  std::vector<Cause> causes;
+  for (const Cause& cause : jointCauses()) {
+    for (const char* id : {"torque_bias", "cable_spring", "gravity_scale", "encoder_offset"}) {
+      if (cause.id == id) causes.push_back(cause);
+    }
+  }
+  Effort two = quick();
+  two.most_causes = 2;
+  ToyLaws laws;
+  laws.gravity *= 3;
+  laws.bias = 0.3;
+  const JointVerdict verdict = diagnose(laws, causes, two);
+  EXPECT_EQ(verdict.verdict, Verdict::Named);
+  std::map<std::string, double> found;
+  for (const Finding& one : verdict.findings) found[one.cause] = one.numbers[0].deviation;
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_NEAR(found["gravity_scale"], 2, 0.04);
+  EXPECT_NEAR(found["torque_bias"], 0.3, 0.01);
+}
+
+// What is smoothed is found first and would act first; limited before it has other corners.
+TEST(JointSearch, TellsInWhichOrderACommandIsSmoothedAndLimited) {
+  std::vector<Cause> causes;
+  for (const Cause& cause : test::toyCauses()) {
+    for (const char* id : {"command_filter", "rate_limit", "kd_error"}) {
+      if (cause.id == id) causes.push_back(cause);
+    }
+  }
+  Effort two = quick();
+  two.most_causes = 2;
+  ToyLaws laws;
+  laws.filter = 0.04;
+  laws.rate = 2;
+  const JointVerdict verdict = diagnose(laws, causes, two);
+  EXPECT_EQ(verdict.verdict, Verdict::Named);
+  ASSERT_EQ(verdict.findings.size(), 2u);
+  EXPECT_EQ(verdict.findings[0].cause, "rate_limit");
+  EXPECT_NEAR(verdict.findings[0].numbers[0].deviation, 0.5, 0.01);
+  EXPECT_EQ(verdict.findings[1].cause, "command_filter");
+  EXPECT_NEAR(verdict.findings[1].numbers[0].deviation, 0.04, 8e-4);
+}
+
 TEST(JointSearch, AdjustsNothingBesideWhatHasNoName) {
   EXPECT_TRUE(diagnose(deadServo(), without({"servo_deadband"})).adjustments.empty());
 }
