@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kMost = 3;      // pairs of a kind that are fitted
 constexpr double kFar = 2.5;  // times what is left by the best: by what was seen of each alone
-constexpr std::size_t kWeighed = 3;      // by exact runs
+constexpr std::size_t kWeighed = 2;      // by exact runs
 constexpr double kMuchLess = 0.5;        // of what more than chance was left
 constexpr double kRough[] = {0.3, 1.5};  // how far a rough cause is scaled
 constexpr char kTogether[] = "explained better by two others together";
@@ -118,10 +118,12 @@ bool JointSearch::isOrderly(const CauseList& model) const {
 // The one that exact runs with its numbers leave least of; none: out of runs.
 std::optional<ModelFit> JointSearch::bestPair(const Stage& start) {
   const double all = half(start.white(start.raw()));
+  Effort brief = effort_;  // their numbers go on by exact runs
+  brief.final_runs = effort_.look_runs;
   std::vector<ModelFit> fits;
   for (const CauseList& pair : pairsToFit(start)) {
     if (ensemble_.spent()) break;
-    fits.push_back(fitFully(ensemble_, data_, start, causes_, pair, effort_));
+    fits.push_back(fitFully(ensemble_, data_, start, causes_, pair, brief));
     if (all - fits.back().gain <= byChance().most_left) break;
   }
   std::stable_sort(fits.begin(), fits.end(),
