@@ -10,8 +10,10 @@
 namespace nao::validation {
 namespace {
 
-constexpr int kMost = 3;      // pairs of a kind that are fitted
-constexpr double kFar = 2.5;  // times what is left by the best: by what was seen of each alone
+// Free choices, by four hidden pairs: the true one was first or second of its kind, and left up to
+// twice what the first seemed to leave.
+constexpr int kMost = 3;  // pairs of a kind that are fitted
+constexpr double kFar = 2.5;
 constexpr std::size_t kWeighed = 2;      // by exact runs
 constexpr double kMuchLess = 0.5;        // of what more than chance was left
 constexpr double kRough[] = {0.3, 1.5};  // how far a rough cause is scaled
