@@ -47,10 +47,12 @@ Cause wholly(Cause cause) {
   cause.whole = true;
   return cause;
 }
-// A stop: it does nothing until the motion reaches it, and a little further on it cuts off all.
+// A stop: it does nothing until the motion reaches it, and a little further on it cuts off all. A
+// joint that reads as much wrong is stopped at the same angle.
 Cause reached(Cause cause, double inwards) {
   cause.linear = false;
   cause.stop = true;
+  cause.twins = {"encoder_offset"};
   for (double moved = 0.02; moved < 3; moved *= 1.12) cause.scan.push_back(inwards * moved);
   return cause;
 }
@@ -183,7 +185,7 @@ void addLoad(std::vector<Cause>& all) {
     offset.scan.push_back(angle);
     offset.scan.push_back(-angle);
   }
-  offset.twins = {"ground_tilt.x", "ground_tilt.y"};
+  offset.twins = {"ground_tilt.x", "ground_tilt.y", "joint_stop.upper", "joint_stop.lower"};
   all.push_back(offset);
   // Of a light link 0.2 hardly shows: what is tied to it may be many times as heavy.
   all.push_back(spread(shaped(one("link_mass", "part", {0.2, -0.2, 5},
@@ -227,7 +229,7 @@ void addTiming(std::vector<Cause>& all) {
                  "{joint} takes new commands only every {value}", "a log at a higher rate"));
   hold.beats = true;
   all.push_back(forAll(hold));
-  all.push_back(forAll(byGrid(one("command_filter", "time", {0.015, 0.05},
+  all.push_back(forAll(byGrid(one("command_filter", "time", {0.005, 0.015, 0.05},
                                   "{joint}'s command is smoothed over {value}",
                                   "steps and fast sweeps: a lag, not a delay"))));
   Cause rate = byGrid(one("rate_limit", "rate", {0.2, 0.7},

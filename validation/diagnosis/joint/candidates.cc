@@ -127,6 +127,7 @@ void Candidates::addTwins(const Stage& stage, std::vector<Candidate>& ranking) {
       if (causes_[c].id != twin || stage.isTaken(c)) continue;
       for (const double x : {best.x[0], -best.x[0]}) {
         if (ensemble_.spent()) return;
+        if (x < causes_[c].free[0].lower || x > causes_[c].free[0].upper) continue;
         put(validation::fitQuickly(ensemble_, stage, causes_, {c, {x}, 0}, effort_), ranking);
       }
     }

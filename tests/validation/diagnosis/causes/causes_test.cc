@@ -56,6 +56,17 @@ TEST(JointCauses, AreLawsToOneOrTwoPerCentUnlessTheySayWhereSomethingEnds) {
   EXPECT_EQ(cause("rate_limit").lawErrorAt(0.2), 0);
 }
 
+// Each is looked for where the other was found.
+TEST(JointCauses, ThatDoNearlyTheSameKnowOfEachOther) {
+  const std::vector<Cause> causes = jointCauses();
+  std::set<std::pair<std::string, std::string>> twins;
+  for (const Cause& cause : causes) {
+    for (const std::string& twin : cause.twins) twins.insert({cause.id, twin});
+  }
+  EXPECT_EQ(twins.count({"joint_stop.upper", "encoder_offset"}), 1u);
+  for (const auto& [one, other] : twins) EXPECT_EQ(twins.count({other, one}), 1u) << one;
+}
+
 // A spring that hardens was told as a spring and a ripple of 4 periods per turn, of which the
 // joint's range shows nine tenths of one.
 TEST(JointCauses, ARippleShowsAWholePeriodAtLeast) {
