@@ -222,8 +222,7 @@ Signature JointSearch::shapeOfUnknown() const {
   return signatureOf(joint_, data_, *stage_, model);
 }
 
-// What is left, in SDs of what null sets leave.
-void JointSearch::judgeRemainder(JointVerdict& verdict) const {
+JointSearch::Remainder JointSearch::remainder() const {
   std::vector<double> largest = nulls_.remainders;
   for (std::size_t i = 0; i < largest.size() && i < others_.nulls.remainders.size(); ++i) {
     largest[i] = std::max(largest[i], others_.nulls.remainders[i]);
@@ -235,9 +234,9 @@ void JointSearch::judgeRemainder(JointVerdict& verdict) const {
     square += half * half / static_cast<double>(stage_->nulls().size());
   }
   const double sd = std::sqrt(std::max(square - mean * mean, 1e-12));
-  verdict.remainder_critical = std::max(quantile(largest, 1 - effort_.false_alarms),
-                                        (kNoiseKnown * kNoiseKnown - 1) * mean / sd);
-  verdict.remainder_score = (stage_->whiteAll(stage_->raw()).squaredNorm() / 2 - mean) / sd;
+  return {(stage_->whiteAll(stage_->raw()).squaredNorm() / 2 - mean) / sd,
+          std::max(quantile(largest, 1 - effort_.false_alarms),
+                   (kNoiseKnown * kNoiseKnown - 1) * mean / sd)};
 }
 
 // What a cause gains by its fit, if there was one in the last round, or by its best look.

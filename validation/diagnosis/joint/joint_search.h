@@ -11,7 +11,6 @@
 #include "validation/diagnosis/joint/candidates.h"
 #include "validation/diagnosis/joint/cross_validation.h"
 #include "validation/diagnosis/joint/signature.h"
-#include "validation/diagnosis/maths/pairs.h"
 
 namespace nao::validation {
 
@@ -103,6 +102,11 @@ class JointSearch {
     Confusion confusion{};
   };
 
+  struct Remainder {  // what is left, in SDs of what null sets leave
+    double score = 0, critical = 0;
+    bool isSome() const { return score > critical; }
+  };
+
   struct Snapshot {  // of what is accepted so far
     std::unique_ptr<Stage> stage;
     ModelFit fit;
@@ -143,6 +147,7 @@ class JointSearch {
   bool takeIfBorneOut(const Candidate& candidate, const CrossValidation& validation,
                       const std::vector<Candidate>& ranking);
   bool takeIfFreed(const Candidate& candidate, const std::vector<Candidate>& ranking);
+  bool takeIfNothingIsLeft(const Candidate& candidate, const std::vector<Candidate>& ranking);
   bool isAtEnd(const Chosen& one) const;
   std::optional<CrossValidation> validated(const Candidate& candidate);
   std::string objection(const Stage& stage, const Candidate& candidate,
@@ -155,11 +160,6 @@ class JointSearch {
   bool reviewOne(std::size_t place);
   bool takesPair(const Stage& start);
   bool mayBeTwoOthers() const;
-  CauseList partsOfPairs() const;
-  std::vector<PairPart> seenAlone(const Stage& start, const CauseList& parts);
-  std::vector<CauseList> pairsToFit(const Stage& start);
-  bool isOrderly(const CauseList& model) const;
-  std::optional<ModelFit> bestPair(const Stage& start);
   void enterPair(const ModelFit& fit);
   void weighEach();
   void weighBesideOthers(std::size_t place);
@@ -183,7 +183,7 @@ class JointSearch {
   void judge(JointVerdict& verdict);
   bool leansOnATrifle(const JointVerdict& verdict) const;
   void doubtThoseAtEnd(JointVerdict& verdict) const;
-  void judgeRemainder(JointVerdict& verdict) const;
+  Remainder remainder() const;
   Signature shapeOfUnknown() const;
   void describe(JointVerdict& verdict);
   void addFindings(JointVerdict& verdict);

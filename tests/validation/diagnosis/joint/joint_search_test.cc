@@ -104,7 +104,7 @@ TEST(JointSearch, TellsWhatARobotDiffersByWithoutNamingIt) {
 }
 
 // What is left beside a gross cause is as likely that cause's own law, which is not quite the
-// catalogue's: a bias that is named alone (13 nats) is not beside 33,000, although 32 speak for it.
+// catalogue's: a bias that is named alone is not beside 27,000 nats, although 24 speak for it.
 TEST(JointSearch, NamesNothingBesideACauseThatExplainsHundredsOfTimesAsMuch) {
   Effort two = quick();
   two.most_causes = 2;
@@ -112,17 +112,34 @@ TEST(JointSearch, NamesNothingBesideACauseThatExplainsHundredsOfTimesAsMuch) {
   laws.bias = 0.012;
   EXPECT_EQ(diagnose(laws, test::toyCauses(), two).named().size(), 1u);
   laws.zero = 0.25;
+  laws.bias = 0.008;
   const JointVerdict beside = diagnose(laws, test::toyCauses(), two);
   ASSERT_EQ(beside.named().size(), 1u);
   EXPECT_EQ(beside.named()[0]->cause, "encoder_offset");
-  laws.bias = 0.03;  // 0.6 % of what the offset explains; a rate limit by another law left 0.8 %
-  EXPECT_EQ(diagnose(laws, test::toyCauses(), two).named().size(), 1u);
+}
+
+// But of what another law leaves no second cause is the whole.
+TEST(JointSearch, NamesASmallSecondCauseThatLeavesNothing) {
+  Effort two = quick();
+  two.most_causes = 2;
+  ToyLaws laws;
+  laws.zero = 0.25;
+  laws.viscous += 0.06;  // explains 0.5 % as much
+  const JointVerdict all = diagnose(laws, test::toyCauses(), two);
+  EXPECT_EQ(all.verdict, Verdict::Named);
+  ASSERT_EQ(all.named().size(), 2u);
+  EXPECT_EQ(all.named()[1]->cause, "viscous_friction");
+  EXPECT_NEAR(all.named()[1]->numbers[0].deviation, 0.06, 0.003);
+  laws.cogging = 0.03;
+  const JointVerdict part = diagnose(laws, test::toyCauses(), two);
+  EXPECT_EQ(part.verdict, Verdict::PartlyExplained);
+  EXPECT_EQ(part.findings.size(), 1u);
 }
 
 // Nor beside a gross cause that all joints share, which is given.
 TEST(JointSearch, NamesNothingBesideAGivenCauseThatExplainsHundredsOfTimesAsMuch) {
   ToyLaws laws;
-  laws.bias = 0.012;
+  laws.bias = 0.008;
   laws.zero = 0.25;
   const std::vector<Cause> causes = test::toyCauses();
   const auto zero = std::find_if(causes.begin(), causes.end(),
