@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "core/check.h"
 #include "core/random.h"
@@ -55,6 +56,20 @@ RecordingPlan limbOf(const RecordingPlan& plan) {
   return limb;
 }
 
+// Every sample asks for the same rows again.
+void tabulate(RecordingPlan& plan) {
+  const double row = toSeconds(plan.model->cycle);
+  for (RecordedMotion& motion : plan.motions) {
+    const auto rows = std::make_shared<std::vector<JointArray<double>>>();
+    for (long k = 0; k <= std::lround(motion.duration / row); ++k) {
+      rows->push_back(motion.angles(static_cast<double>(k) * row));
+    }
+    motion.angles = [rows, row](double t) {
+      return rows->at(static_cast<std::size_t>(std::lround(t / row)));
+    };
+  }
+}
+
 // For sizes of effects: fit motions only, a few runs, at a coarser step.
 RecordingPlan shortened(RecordingPlan plan) {
   plan.repeats = kSampleRuns;
@@ -91,6 +106,7 @@ class Maker {
     const bool limbs = hidden.limbs || hidden.isMujoco();
     if (limbs) plan_ = limbOf(plan_);
     limb_ = shortened(limbs ? plan_ : limbOf(plan_));
+    tabulate(limb_);
   }
 
   const Truth& choose() {
