@@ -31,7 +31,7 @@ struct ToyLaws {
   double stop = -0.9;           // [rad] where it gets no lower
   double spring = 0;            // no cause of toyCauses()
   // No cause of the catalogue below:
-  double cogging = 0, cogs = 18, drag = 0, hum = 0, rise = 0, eccentric = 0;
+  double cogging = 0, cogs = 18, cog_phase = 0, drag = 0, hum = 0, rise = 0, eccentric = 0;
   double spot = 0, band = 0;  // friction near an angle of 0.3 and near a speed of 0.8
   double pulse = 0;           // friction, half a second in every two
   double step = 0.002;        // [s]
@@ -65,6 +65,9 @@ inline void ToyLaws::set(const std::string& effect, const std::map<std::string, 
   if (effect == "command_hold") hold += at("interval");
   if (effect == "command_filter") filter += at("time");
   if (effect == "rate_limit") rate = at("rate"), smoothed_first = filter > 0;
+  if (effect == "cogging") {
+    cogging += at("torque"), cogs = at("per_turn"), cog_phase = at("phase");
+  }
   if (effect == "encoder_quantum") quantum += at("quantum");
 }
 
@@ -225,8 +228,9 @@ class ToyRun {
   }
 
   double strange() const {
-    return laws_.cogging * std::sin(laws_.cogs * q_) - laws_.drag * u_ * std::abs(u_) -
-           laws_.spring * q_ + laws_.hum * std::sin(2 * M_PI * 3.1 * t_);
+    return laws_.cogging * std::sin(laws_.cogs * q_ + laws_.cog_phase) -
+           laws_.drag * u_ * std::abs(u_) - laws_.spring * q_ +
+           laws_.hum * std::sin(2 * M_PI * 3.1 * t_);
   }
 
   ToyLaws laws_;

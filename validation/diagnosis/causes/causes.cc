@@ -80,11 +80,13 @@ void startAtMeasuredEnd(FreeNumber& number, const JointSimulator& joint) {
   number.starts.push_back(moved);
 }
 
-// A ripple of less than a whole period is told by nothing from any other law of the angle.
-void withWholePeriod(FreeNumber& per_turn, const JointSimulator& joint) {
+// A ripple of less than a whole period is told by nothing from any other law of the angle, if one
+// acts beside it.
+void boundPeriods(FreeNumber& per_turn, bool alone, const JointSimulator& joint) {
   const auto [from, to] = turnedThrough(joint);
-  const double least = 2 * M_PI / std::max(to - from, 1e-6);
-  per_turn.lower = std::max(per_turn.lower, least - per_turn.neutral);
+  const double whole = 2 * M_PI / std::max(to - from, 1e-6) - per_turn.neutral;
+  double& bound = alone ? per_turn.upper : per_turn.lower;
+  bound = alone ? std::min(bound, whole) : std::max(bound, whole);
 }
 
 void replace(std::string& text, const std::string& key, const std::string& value) {
@@ -133,7 +135,8 @@ Cause boundedAt(const Cause& cause, const JointSimulator& joint,
       number.lower = p.min - p.neutral - present;
       number.upper = p.max - p.neutral - present;
       if (number.smallest == 0) number.smallest = p.smallest;
-      if (cause.effect == "cogging" && p.name == "per_turn") withWholePeriod(number, joint);
+      if (cause.effect == "cogging" && p.name == "per_turn")
+        boundPeriods(number, cause.alone, joint);
     }
   }
   if (cause.effect == "joint_stop") startAtMeasuredEnd(bounded.free[0], joint);
@@ -173,6 +176,18 @@ EffectSetting settingOf(const Cause& cause, const std::vector<double>& numbers) 
 double shownValue(const FreeNumber& number, double x) {
   if (number.form == Form::Offset) return number.neutral + x;
   return x * number.neutral <= 1 ? number.neutral : 1 / x;
+}
+
+std::vector<Cause> withPartsOfRipples(std::vector<Cause> causes) {
+  const std::size_t count = causes.size();
+  for (std::size_t c = 0; c < count; ++c) {
+    if (!causes[c].ripples) continue;
+    Cause part = causes[c];
+    part.alone = true;
+    part.free[0].starts.clear();  // never looked at
+    causes.push_back(std::move(part));
+  }
+  return causes;
 }
 
 std::vector<std::vector<double>> startsOf(const Cause& cause) {

@@ -55,6 +55,12 @@ struct Cause {
   /// Undeclared spread of this number between equal robots [its unit]: what a robot's maker calls
   /// the same. Less than the smallest size of interest; 0: none is expected.
   double spread = 0;
+  /// Its numbers are a torque that ripples, periods per turn and a phase. A large one is no
+  /// multiple of a small one: where it acts as `Signature::ripple` says is where fits begin, too.
+  bool ripples = false;
+  /// Is tried only where nothing was found, and by no looks: part of a period of a ripple, which
+  /// beside other laws of the angle would be any of them.
+  bool alone = false;
   /// The number is where a joint is stopped: encoders' zeros move it, and how much wrong it is
   /// tells nothing of how far around it a slope holds.
   bool stop = false;
@@ -90,6 +96,9 @@ const std::vector<Cause>& benchCauses();
 /// model allows: a play can shrink by no more than there is.
 Cause boundedAt(const Cause& cause, const JointSimulator& joint,
                 const sim::EffectCatalogue& catalogue);
+
+/// And of each cause that ripples, less than a period.
+std::vector<Cause> withPartsOfRipples(std::vector<Cause> causes);
 
 /// Of a look at a rough cause, how many times its size a guess may reach: it says nothing beyond.
 constexpr double kFurthest = 1.5;

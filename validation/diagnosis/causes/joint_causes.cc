@@ -113,6 +113,7 @@ void addMotor(std::vector<Cause>& all) {
                      "slow motion over all of the range, one way and back");
   std::vector<double> per_turn;  // from 12, as the effect has it
   for (const double periods : {2, 4, 6, 8, 10, 12, 16, 20, 24}) per_turn.push_back(periods - 12);
+  ripple.ripples = true;
   all.push_back(shaped(shaped(ripple, "per_turn", per_turn), "phase", {0, M_PI / 2}));
   all.push_back(byGrid(shaped(one("thermal_derating", "part", {0.5, 0.9},
                                   "{joint}'s motor loses {value} of its torque as it warms up",

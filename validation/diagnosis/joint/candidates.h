@@ -24,11 +24,11 @@ struct Candidate {
 /// Out of runs it tells what it did not try. Everything given must outlive it.
 class Candidates {
  public:
-  Candidates(Ensemble& ensemble, const JointData& data, const std::vector<Cause>& causes,
-             const Effort& effort);
+  Candidates(const JointSimulator& joint, Ensemble& ensemble, const JointData& data,
+             const std::vector<Cause>& causes, const Effort& effort);
 
-  /// Best first, of each cause its best numbers. Sizes of clocks, costly to find, compete unless a
-  /// finalist leaves no more than chance.
+  /// Best first, of each cause its best numbers. Sizes of clocks, costly to find, and the ripple
+  /// of a torque that is lacked compete unless a finalist leaves no more than chance.
   std::vector<Candidate> rankedAt(const Stage& stage, const ByChance& chance);
   /// The same for the place of a cause that is in the model already: from its own numbers, of the
   /// others half as many, two in full (beside several causes one costs minutes). Sizes of clocks
@@ -49,10 +49,12 @@ class Candidates {
   void complete(const Stage& stage, double critical, int finalists,
                 std::vector<Candidate>& ranking);
   bool addBeats(const Stage& stage, std::vector<Candidate>& ranking);
+  bool addRipple(const Stage& stage, std::vector<Candidate>& ranking);
   void addTwins(const Stage& stage, std::vector<Candidate>& ranking);
   void fitFinalists(const Stage& stage, double critical, int most, std::vector<Candidate>& ranking);
   double leftBy(const Stage& stage, ModelFit& fit);
 
+  const JointSimulator& joint_;
   Ensemble& ensemble_;
   const JointData& data_;
   const std::vector<Cause>& causes_;

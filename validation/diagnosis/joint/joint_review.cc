@@ -38,6 +38,9 @@ void JointSearch::setRivals(std::size_t place, const std::vector<Candidate>& ran
     if (own->weighed && !rival.weighed) continue;  // was too far off to be weighed
     if (rival.gain < own->gain - reachOf(*own, rival, critical())) continue;
     if (samePlace(causes_[rival.cause], causes_[chosen.cause])) continue;
+    if (causes_[rival.cause].alone || causes_[chosen.cause].alone) {
+      if (causes_[rival.cause].id == causes_[chosen.cause].id) continue;
+    }
     chosen.rivals.push_back(rival);
   }
 }

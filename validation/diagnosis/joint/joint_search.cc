@@ -36,11 +36,11 @@ double OtherJoints::costOf(std::size_t cause, double x) const {
 JointSearch::JointSearch(const JointSimulator& joint, const JointNoise& noise,
                          std::vector<Cause> causes, const Effort& effort, long granted_runs)
     : joint_(joint),
-      causes_(std::move(causes)),
+      causes_(withPartsOfRipples(std::move(causes))),
       effort_(effort),
       data_(joint, noise),
       ensemble_(joint, data_, noise, granted_runs),
-      candidates_(ensemble_, data_, causes_, effort_) {
+      candidates_(joint, ensemble_, data_, causes_, effort_) {
   for (Cause& cause : causes_) {
     cause = boundedAt(cause, joint, sim::standardEffects());
     if (cause.coupled && !joint.isCoupled()) cause.free[0].starts.clear();  // never looked at
@@ -207,7 +207,8 @@ bool JointSearch::step() {
 void JointSearch::noteFirsts(const std::vector<Candidate>& ranking) {
   firsts_.clear();
   for (const Candidate& one : ranking) {
-    if (one.gain > critical()) firsts_.push_back({one.cause, one.x});
+    if (one.gain <= critical() || causes_[one.cause].alone) continue;
+    firsts_.push_back({one.cause, one.x});
   }
 }
 

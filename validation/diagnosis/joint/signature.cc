@@ -57,6 +57,8 @@ class Remainder {
   double explained(const Columns& columns) const;
   // The same of no motion that is left out: more, the more columns there are.
   double fitted(const Columns& columns) const;
+  // What these columns' factors are.
+  Eigen::VectorXd fit(const Columns& columns) const { return products(columns).fit(); }
 
  private:
   Products products(const Columns& columns) const;
@@ -214,12 +216,22 @@ Eigen::VectorXd beyondChance(const std::vector<Remainder>& nulls,
   return kBeyondNulls * (known.cwiseInverse().asDiagonal() * explained).maxCoeff() * known;
 }
 
+Ripple rippleOf(const Remainder& remainder, const Columns& columns,
+                const TorqueFeatures::Feature& feature) {
+  const auto sine = std::find(columns.begin(), columns.end(), feature.columns[0]);
+  const Eigen::Index place = sine - columns.begin();
+  const Eigen::VectorXd factors = remainder.fit(columns);
+  const double a = factors[place], b = factors[place + 1];
+  return {std::hypot(a, b), feature.periods, std::atan2(b, a)};
+}
+
 Signature select(const Remainders& all, const std::vector<TorqueFeatures::Feature>& features) {
   const Remainder& remainder = all.measured;
   const double excess = remainder.excess();
   const Eigen::VectorXd least = beyondChance(all.nulls, features);
   Signature found;
   Columns columns;
+  const TorqueFeatures::Feature* ripple = nullptr;
   double before = 0;
   while (static_cast<int>(found.terms.size()) < kMost && excess > 0) {
     const TorqueFeatures::Feature* best = nullptr;
@@ -237,10 +249,12 @@ Signature select(const Remainders& all, const std::vector<TorqueFeatures::Featur
       best = &one;
     }
     if (best == nullptr) break;
+    if (found.terms.empty() && best->periods > 0) ripple = best;
     columns.insert(columns.end(), best->columns.begin(), best->columns.end());
     found.terms.push_back({best->name, most});
     before = most;
   }
+  if (ripple != nullptr) found.ripple = rippleOf(remainder, columns, *ripple);
   const double whole = std::max(before, excess);  // noise may be less than it is given
   for (SignatureTerm& term : found.terms) term.explained /= whole;
   return found;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,12 +15,20 @@ struct SignatureTerm {
   double explained = 0;  // of the remainder's torque on motions left out, with the terms before it
 };
 
+/// torque * sin(periods * q + phase).
+struct Ripple {
+  double torque = 0;  // [N m]
+  int periods = 0;    // in 2 pi of the joint
+  double phase = 0;   // [rad]
+};
+
 /// A joint's misfit beside a model, as a torque, written as a short sum of features of its motion:
 /// the shape of a law that the catalogue does not know. Terms are chosen one by one, each for what
 /// it explains of motions that it was not fitted to; none: nothing is systematic, or the set has
 /// but one fit motion.
 struct Signature {
   std::vector<SignatureTerm> terms;
+  std::optional<Ripple> ripple;  // the first term, if it is one, beside the others
   std::string text() const;
 };
 

@@ -51,7 +51,10 @@ TorqueFeatures::TorqueFeatures() {
   for (const Simple& one : kSimple) add(one.name, 1);
   add("sin and cos of q", 2);
   const auto harmonic = [](int n) { return "sin and cos of " + std::to_string(n) + " q"; };
-  for (int n = kFirstRipple; n <= kLastRipple; ++n) add(harmonic(n), 2);
+  for (int n = kFirstRipple; n <= kLastRipple; ++n) {
+    add(harmonic(n), 2);
+    features_.back().periods = n;
+  }
   for (int n = 1; n <= kLastPatch; ++n) add("sgn v with " + harmonic(n), 3);
   addDryPlaces();
   char text[40];

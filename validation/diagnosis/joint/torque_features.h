@@ -16,6 +16,7 @@ class TorqueFeatures {
   struct Feature {
     std::string name;  // "v|v|", "sin and cos of 18 q" ...
     std::vector<Eigen::Index> columns;
+    int periods = 0;  // in 2 pi of the joint, of a torque that goes with its angle alone
   };
 
   /// Of how many columns the last are not torques of the motion's own but what the model lacks

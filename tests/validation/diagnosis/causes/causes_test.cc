@@ -87,6 +87,20 @@ TEST(JointCauses, ARippleShowsAWholePeriodAtLeast) {
   }
 }
 
+// But where nothing acts beside it, as a hip's narrow range shows half a period: no look tells it.
+TEST(JointCauses, PartOfARippleIsForWhereNothingWasFound) {
+  const test::ToyJoint toy({}, 1, test::kToyNoise, 2, 1);
+  const std::vector<Cause> all = withPartsOfRipples(jointCauses());
+  ASSERT_EQ(all.size(), jointCauses().size() + 1);
+  const Cause part = boundedAt(all.back(), toy, sim::standardEffects());
+  const Cause whole = boundedAt(cause("cogging"), toy, sim::standardEffects());
+  EXPECT_EQ(part.id, whole.id);
+  EXPECT_TRUE(part.alone);
+  EXPECT_TRUE(startsOf(part).empty());
+  EXPECT_EQ(part.free[1].upper, whole.free[1].lower);
+  EXPECT_EQ(part.free[1].neutral + part.free[1].lower, 4);  // periods per turn, of the effect
+}
+
 // A physics engine of another kind was told as a battery that rises by 0.5 % per second: 1.6 % on
 // the mean of six seconds, where a drop of that size would not have been named.
 TEST(JointCauses, AskAsMuchOfAVoltageThatSinksAsOfOneThatIsLow) {

@@ -287,6 +287,28 @@ TEST(JointSearch, FindsTwoThatTwoOthersImitate) {
   EXPECT_NEAR(found["torque_bias"], 0.3, 0.01);
 }
 
+// Looks are at up to 24 periods per turn; the torque that the model lacks has others.
+TEST(JointSearch, FindsARippleByTheTorqueThatItsModelLacks) {
+  std::vector<Cause> causes;
+  for (const Cause& cause : jointCauses()) {
+    for (const char* id : {"torque_bias", "cable_spring", "kp_error", "cogging"}) {
+      if (cause.id == id) causes.push_back(cause);
+    }
+  }
+  ToyLaws laws;
+  laws.cogging = 0.6;
+  laws.cogs = 31;
+  laws.cog_phase = 0.7;
+  const JointVerdict verdict = diagnose(laws, causes);
+  EXPECT_EQ(verdict.verdict, Verdict::Named);
+  ASSERT_EQ(verdict.findings.size(), 1u);
+  EXPECT_EQ(verdict.findings[0].cause, "cogging");
+  const std::vector<FoundNumber>& numbers = verdict.findings[0].numbers;
+  EXPECT_NEAR(numbers[0].value, 0.6, 0.03);
+  EXPECT_NEAR(numbers[1].value, 31, 0.05);
+  EXPECT_NEAR(numbers[2].value, 0.7, 0.05);
+}
+
 // What is smoothed is found first and would act first; limited before it has other corners.
 TEST(JointSearch, TellsInWhichOrderACommandIsSmoothedAndLimited) {
   std::vector<Cause> causes;
