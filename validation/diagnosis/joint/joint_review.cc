@@ -15,8 +15,10 @@ constexpr double kSwap = 0.01;  // of the gain: what a rival must be better by
 constexpr double kComesBack = 0.5;
 constexpr double kNear = 2;  // [SD of the measured mean] over so short a way slopes hold
 
-// Two directions of one effect, such as x and y of a tilt: no rivals, one name.
+// Two directions of one effect, such as x and y of a tilt, or a whole ripple and part of one: no
+// rivals, one name.
 bool samePlace(const Cause& a, const Cause& b) {
+  if (a.id == b.id) return a.alone != b.alone;
   return a.effect == b.effect && a.id.rfind(a.effect + ".", 0) == 0 &&
          b.id.rfind(b.effect + ".", 0) == 0;
 }
@@ -38,9 +40,6 @@ void JointSearch::setRivals(std::size_t place, const std::vector<Candidate>& ran
     if (own->weighed && !rival.weighed) continue;  // was too far off to be weighed
     if (rival.gain < own->gain - reachOf(*own, rival, critical())) continue;
     if (samePlace(causes_[rival.cause], causes_[chosen.cause])) continue;
-    if (causes_[rival.cause].alone || causes_[chosen.cause].alone) {
-      if (causes_[rival.cause].id == causes_[chosen.cause].id) continue;
-    }
     chosen.rivals.push_back(rival);
   }
 }
