@@ -146,6 +146,7 @@ class JointSearch {
             const std::vector<Candidate>& ranking);
   bool takeIfBorneOut(const Candidate& candidate, const CrossValidation& validation,
                       const std::vector<Candidate>& ranking);
+  bool wasRefused(const Candidate& candidate, const char* reason) const;
   bool takeIfFreed(const Candidate& candidate, const std::vector<Candidate>& ranking);
   bool takeIfNothingIsLeft(const Candidate& candidate, const std::vector<Candidate>& ranking);
   bool isAtEnd(const Chosen& one) const;

@@ -139,10 +139,16 @@ bool JointSearch::takeIfBorneOut(const Candidate& candidate, const CrossValidati
   return false;
 }
 
+// Whether this is what was last said against any.
+bool JointSearch::wasRefused(const Candidate& candidate, const char* reason) const {
+  return !rejected_.empty() && rejected_.back().cause == causes_[candidate.cause].id &&
+         rejected_.back().reason == reason;
+}
+
 // One of two causes that act alike, alone, goes as far as it may: only with the other beside it is
 // it seen to be what it is. Two such in a row are none.
 bool JointSearch::takeIfFreed(const Candidate& candidate, const std::vector<Candidate>& ranking) {
-  if (trying_ || rejected_.empty() || rejected_.back().reason != kEndOfRange) return false;
+  if (trying_ || !wasRefused(candidate, kEndOfRange)) return false;
   if (mayBeOffBy(candidate.gain, greatestGain())) return false;
   if (static_cast<int>(accepted_.size()) + 2 > effort_.most_causes) return false;
   Snapshot before = snapshot();
@@ -163,7 +169,7 @@ bool JointSearch::takeIfFreed(const Candidate& candidate, const std::vector<Cand
 // and is clearly seen, is no part of it.
 bool JointSearch::takeIfNothingIsLeft(const Candidate& candidate,
                                       const std::vector<Candidate>& ranking) {
-  if (rejected_.empty() || rejected_.back().reason != kOffBy || !remainder().isSome()) return false;
+  if (!wasRefused(candidate, kOffBy) || !remainder().isSome()) return false;
   if (candidate.gain < kClear * critical()) return false;
   Snapshot before = snapshot();
   const CrossValidation validation =
