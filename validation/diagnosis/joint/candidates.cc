@@ -18,8 +18,8 @@ constexpr double kHopeless = 0.03;      // of the best look's gain: less never b
 constexpr double kFarBehind = 0.25;     // of the best so far: not worth finer steps than rough ones
 constexpr double kClose = 0.06;         // of the best quick gain: fitted fully as well
 constexpr double kCloseIfShaped = 0.2;  // where only one of several numbers was fitted so far
-// Of what is lacked: by part of a period of a ripple. Three hidden ones were 93 to 99 %, laws of no
-// catalogue 42 to 76.
+// Of what is lacked: by part of a period of a ripple. Three hidden ones were 93 to 99 %, ripples
+// that laws of no catalogue begin with 27 to 64.
 constexpr double kAllOfIt = 0.9;
 constexpr std::size_t kWeighed = 3;
 constexpr double kSame = 0.03;             // of the gain: rivals within it are not told apart
@@ -125,11 +125,12 @@ bool Candidates::addBeats(const Stage& stage, std::vector<Candidate>& ranking) {
 
 // Where the torque that the model lacks ripples; false if it does not.
 bool Candidates::addRipple(const Stage& stage, std::vector<Candidate>& ranking) {
+  if (ensemble_.spent()) return false;
   const bool alone = stage.model().empty();
   std::vector<EffectSetting> model = ensemble_.given();
   for (const EffectSetting& one : settingsOf(causes_, stage.model())) model.push_back(one);
   const Signature lacked = signatureOf(joint_, data_, stage, model);
-  if (!lacked.ripple || ensemble_.spent()) return false;
+  if (!lacked.ripple) return false;
   const double periods = lacked.ripple->periods;
   for (std::size_t c = 0; c < causes_.size(); ++c) {
     if (!causes_[c].ripples || stage.isTaken(c)) continue;
