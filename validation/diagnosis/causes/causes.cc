@@ -135,8 +135,7 @@ Cause boundedAt(const Cause& cause, const JointSimulator& joint,
       number.lower = p.min - p.neutral - present;
       number.upper = p.max - p.neutral - present;
       if (number.smallest == 0) number.smallest = p.smallest;
-      if (cause.effect == "cogging" && p.name == "per_turn")
-        boundPeriods(number, cause.alone, joint);
+      if (cause.ripples && p.name == "per_turn") boundPeriods(number, cause.alone, joint);
     }
   }
   if (cause.effect == "joint_stop") startAtMeasuredEnd(bounded.free[0], joint);

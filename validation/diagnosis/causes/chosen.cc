@@ -1,11 +1,18 @@
 #include "validation/diagnosis/causes/chosen.h"
 
+#include <algorithm>
+
 namespace nao::validation {
 
 std::vector<EffectSetting> settingsOf(const std::vector<Cause>& causes, const CauseList& chosen) {
   std::vector<EffectSetting> settings;
   for (const Chosen& one : chosen) settings.push_back(settingOf(causes[one.cause], one.x));
   return settings;
+}
+
+bool has(const CauseList& model, std::size_t cause) {
+  return std::any_of(model.begin(), model.end(),
+                     [&](const Chosen& one) { return one.cause == cause; });
 }
 
 std::vector<double> numbersOf(const CauseList& model) {

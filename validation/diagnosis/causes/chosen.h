@@ -18,6 +18,9 @@ using CauseList = std::vector<Chosen>;
 
 std::vector<EffectSetting> settingsOf(const std::vector<Cause>& causes, const CauseList& chosen);
 
+/// Whether the model has the cause.
+bool has(const CauseList& model, std::size_t cause);
+
 /// Of all causes, in order.
 std::vector<double> numbersOf(const CauseList& model);
 /// The same, a row per column of a fit's sensitivities.

@@ -24,11 +24,6 @@ std::string gainName(double kp_scale) {
 // Rough causes have several valleys.
 std::size_t startsFor(const Cause& cause) { return cause.linear ? 1 : 2; }
 
-bool has(const FoldModel& model, std::size_t cause) {
-  return std::any_of(model.of_all.begin(), model.of_all.end(),
-                     [&](const Chosen& one) { return one.cause == cause; });
-}
-
 // Of y beside all columns but the last.
 double weightedRest(const Eigen::MatrixXd& columns, const Eigen::VectorXd& y) {
   const Eigen::MatrixXd own = columns.leftCols(columns.cols() - 1);
@@ -141,7 +136,7 @@ std::vector<FoldCandidate> FoldFits::screened(const FoldModel& model, int most) 
   fit_.linearise(at, all_);
   std::vector<std::vector<Looked>> looks(causes_.size());
   inParallel(causes_.size(), jobs_, [&](std::size_t c) {
-    if (has(model, c)) return;
+    if (has(model.of_all, c)) return;
     for (const auto& x : startsOf(causes_[c])) looks[c].push_back(lookAt(at, c, x));
     std::stable_sort(looks[c].begin(), looks[c].end(),
                      [](const Looked& a, const Looked& b) { return a.gain > b.gain; });

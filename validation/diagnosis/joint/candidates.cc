@@ -127,9 +127,7 @@ bool Candidates::addBeats(const Stage& stage, std::vector<Candidate>& ranking) {
 bool Candidates::addRipple(const Stage& stage, std::vector<Candidate>& ranking) {
   if (ensemble_.spent()) return false;
   const bool alone = stage.model().empty();
-  std::vector<EffectSetting> model = ensemble_.given();
-  for (const EffectSetting& one : settingsOf(causes_, stage.model())) model.push_back(one);
-  const Signature lacked = signatureOf(joint_, data_, stage, model);
+  const Signature lacked = lackedAt(joint_, ensemble_, causes_, stage);
   if (!lacked.ripple) return false;
   const double periods = lacked.ripple->periods;
   for (std::size_t c = 0; c < causes_.size(); ++c) {

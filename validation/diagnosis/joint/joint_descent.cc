@@ -1,17 +1,19 @@
-// Where exact runs with a cause still leave more than chance, its numbers go on by these alone.
+// The numbers of a joint's causes by exact runs alone: where these still leave more than chance,
+// and in the end.
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "validation/diagnosis/joint/beat_search.h"
 #include "validation/diagnosis/joint/exact_slopes.h"
-#include "validation/diagnosis/joint/joint_search.h"
+#include "validation/diagnosis/joint/joint_model.h"
 
 namespace nao::validation {
 namespace {
 
 constexpr int kRounds = 5;
 constexpr int kShortened = 4;        // a step that leads too far, by half each time
+constexpr double kNear = 2;          // [SD of the measured mean] over so short a way slopes hold
 constexpr double kWorthAStep = 0.1;  // of what is left beyond chance: less is not worth its runs
 
 }  // namespace
@@ -19,7 +21,7 @@ constexpr double kWorthAStep = 0.1;  // of what is left beyond chance: less is n
 // Coarse runs choose directions badly where a joint sticks or is at a limit, and bend the valley
 // that the numbers are in. Of further causes, most of which stand in for a law of no catalogue,
 // clocks alone, and what is beside them.
-void JointSearch::descend() {
+void JointModel::descend() {
   bool by_clock = false;
   for (int round = 0; round < kRounds && !ensemble_.spent(); ++round) {
     const ByChance chance = byChance();
@@ -29,7 +31,7 @@ void JointSearch::descend() {
     if (round == 0) next = nextByClock();
     const bool settles = next.has_value();
     by_clock = by_clock || settles;
-    if (!next && (by_clock || accepted_.size() == 1)) next = nextByExactRuns();
+    if (!next && (by_clock || found_.size() == 1)) next = nextByExactRuns();
     if (!next) return;
     Snapshot before = snapshot();
     fit_ = *next;
@@ -45,24 +47,13 @@ void JointSearch::descend() {
 
 // Whether a step that leaves this takes enough of what is more than chance, and what the
 // sensitivities so far do not explain.
-bool JointSearch::isWorthAStep(double left) const {
+bool JointModel::isWorthAStep(double left) const {
   const double before = stage_->white(stage_->raw()).squaredNorm() / 2;
   return before - left > kWorthAStep * (before - byChance().left);
 }
 
-// Half the squares that exact runs of another model leave of what is measured.
-double JointSearch::leftBy(const std::vector<EffectSetting>& causes) {
-  const RunPool pool = ensemble_.pool(causes, effort_.slope_runs);
-  return stage_->whitenFit(data_.mean() - pool.mean).squaredNorm() / 2;
-}
-
-double JointSearch::leftBy(const CauseList& model) { return leftBy(settingsOf(causes_, model)); }
-double JointSearch::leftBy(std::size_t cause, double x) {
-  return leftBy(std::vector{sharedSetting(cause, x)});
-}
-
 // None if the newest cause is no clock that beats.
-std::optional<ModelFit> JointSearch::nextByClock() {
+std::optional<ModelFit> JointModel::nextByClock() {
   const Chosen clock = stage_->model().back();
   if (!causes_[clock.cause].beats) return std::nullopt;
   const auto at = [&](double size) {
@@ -81,7 +72,7 @@ std::optional<ModelFit> JointSearch::nextByClock() {
 }
 
 // A Gauss-Newton step by exact slopes, as far along it as runs say that it helps; none if nowhere.
-std::optional<ModelFit> JointSearch::nextByExactRuns() {
+std::optional<ModelFit> JointModel::nextByExactRuns() {
   ModelFit here = fit_;
   here.model = stage_->model();
   setExactSlopes(ensemble_, causes_, effort_.slope_runs, *stage_, here);
@@ -99,6 +90,25 @@ std::optional<ModelFit> JointSearch::nextByExactRuns() {
     there.model = withNumbers(here.model, half);
   }
   return std::nullopt;
+}
+
+void JointModel::refine() {
+  left_ = stage_->raw();
+  if (fit_.model.empty() || ensemble_.spent()) return;
+  fit_.model = stage_->model();  // where its residual was taken
+  setExactSlopes(ensemble_, causes_, effort_.slope_runs, *stage_, fit_);
+  const Eigen::VectorXd start = columnOf(fit_.model);
+  moveNumbers(fit_, stage_->raw(), *stage_, causes_);
+  const Eigen::VectorXd change = fit_.jacobian * (columnOf(fit_.model) - start);
+  if (stage_->whitenFit(change).norm() < kNear) {
+    left_ -= change;
+    return;
+  }
+  const RunPool pool = ensemble_.pool(settingsOf(causes_, fit_.model), effort_.base_runs);
+  left_ = data_.mean() - pool.mean;
+  const Eigen::VectorXd before = columnOf(fit_.model);
+  moveNumbers(fit_, left_, *stage_, causes_);
+  left_ -= fit_.jacobian * (columnOf(fit_.model) - before);
 }
 
 }  // namespace nao::validation

@@ -1,10 +1,9 @@
-// Accepted causes seen again: against rivals for their place, and whether they are needed.
+// FoundCause causes seen again: against rivals for their place, and whether they are needed.
 #include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "validation/diagnosis/joint/confusion.h"
-#include "validation/diagnosis/joint/exact_slopes.h"
 #include "validation/diagnosis/joint/joint_search.h"
 
 namespace nao::validation {
@@ -13,7 +12,6 @@ namespace {
 constexpr double kSwap = 0.01;  // of the gain: what a rival must be better by
 // Of what it explained beside the others: who explains as much beside its successor was no rival.
 constexpr double kComesBack = 0.5;
-constexpr double kNear = 2;  // [SD of the measured mean] over so short a way slopes hold
 
 // Two directions of one effect, such as x and y of a tilt, or a whole ripple and part of one: no
 // rivals, one name.
@@ -25,34 +23,34 @@ bool samePlace(const Cause& a, const Cause& b) {
 
 bool isTooSmall(const Cause& cause, double x) { return std::abs(x) < cause.free[0].smallest; }
 
+Confusion confusionAmong(const std::vector<Candidate>& ranking, const Stage& stage,
+                         const std::vector<Cause>& causes) {
+  std::vector<Fitted> fitted;
+  for (const Candidate& one : ranking) {
+    if (one.full) fitted.push_back({causes[one.cause].id, stage.white(one.fit.change)});
+  }
+  std::vector<Eigen::VectorXd> nulls;
+  for (const Eigen::VectorXd& null : stage.nulls()) nulls.push_back(stage.white(null));
+  return confusionOf(fitted, nulls);
+}
+
 }  // namespace
 
 void JointSearch::setRivals(std::size_t place, const std::vector<Candidate>& ranking,
                             const Stage& stage) {
-  Accepted& chosen = accepted_[place];
+  FoundCause& chosen = model_.found()[place];
   chosen.rivals.clear();
-  chosen.confusion = confusionAmong(ranking, stage);
+  chosen.confusion = confusionAmong(ranking, stage, causes_);
   const auto own = std::find_if(ranking.begin(), ranking.end(),
                                 [&](const Candidate& c) { return c.cause == chosen.cause; });
   if (own == ranking.end()) return;
   for (const Candidate& rival : ranking) {
     if (rival.cause == chosen.cause || isTooSmall(causes_[rival.cause], rival.x[0])) continue;
     if (own->weighed && !rival.weighed) continue;  // was too far off to be weighed
-    if (rival.gain < own->gain - reachOf(*own, rival, critical())) continue;
+    if (rival.gain < own->gain - reachOf(*own, rival, model_.critical())) continue;
     if (samePlace(causes_[rival.cause], causes_[chosen.cause])) continue;
     chosen.rivals.push_back(rival);
   }
-}
-
-Confusion JointSearch::confusionAmong(const std::vector<Candidate>& ranking,
-                                      const Stage& stage) const {
-  std::vector<Fitted> fitted;
-  for (const Candidate& one : ranking) {
-    if (one.full) fitted.push_back({causes_[one.cause].id, stage.white(one.fit.change)});
-  }
-  std::vector<Eigen::VectorXd> nulls;
-  for (const Eigen::VectorXd& null : stage.nulls()) nulls.push_back(stage.white(null));
-  return confusionOf(fitted, nulls);
 }
 
 // Each cause competes again with all others for its place beside the rest of the model.
@@ -60,7 +58,7 @@ bool JointSearch::review() {
   bool changed = false;
   // One place after the other: a change puts the new cause last, so that each is seen once.
   std::size_t place = 0;
-  for (std::size_t left = accepted_.size(); left > 0 && accepted_.size() > 1; --left) {
+  for (std::size_t left = model_.found().size(); left > 0 && model_.found().size() > 1; --left) {
     if (ensemble_.spent()) break;
     if (reviewOne(place)) {
       changed = true;
@@ -71,36 +69,18 @@ bool JointSearch::review() {
   return changed;
 }
 
-// The sensitivities of one cause of the model.
-Eigen::MatrixXd JointSearch::slopesOf(std::size_t place) const {
-  Eigen::Index column = 0;
-  for (std::size_t i = 0; i < place; ++i) {
-    column += static_cast<Eigen::Index>(fit_.model[i].x.size());
-  }
-  return fit_.jacobian.middleCols(column, static_cast<Eigen::Index>(fit_.model[place].x.size()));
-}
-
-std::unique_ptr<Stage> JointSearch::stageWithout(std::size_t place) const {
-  Eigen::MatrixXd jacobian(data_.size(), 0);
-  for (std::size_t i = 0; i < fit_.model.size(); ++i) {
-    if (i == place) continue;
-    const Eigen::MatrixXd slopes = slopesOf(i);
-    jacobian.conservativeResize(Eigen::NoChange, jacobian.cols() + slopes.cols());
-    jacobian.rightCols(slopes.cols()) = slopes;
-  }
-  return std::make_unique<Stage>(*stage_, place, jacobian);
-}
-
 bool JointSearch::reviewOne(std::size_t place) {
-  const auto without = stageWithout(place);
-  std::vector<Candidate> ranking = candidates_.rankedAgain(*without, critical(), fit_.model[place]);
-  candidates_.weigh(*without, byChance(), ranking);
-  const std::size_t cause = accepted_[place].cause;
+  const auto without = model_.stageWithout(place);
+  std::vector<Candidate> ranking =
+      candidates_.rankedAgain(*without, model_.critical(), model_.fit().model[place]);
+  candidates_.weigh(*without, model_.byChance(), ranking);
+  const std::size_t cause = model_.found()[place].cause;
   const auto own = std::find_if(ranking.begin(), ranking.end(),
                                 [&](const Candidate& c) { return c.cause == cause; });
   const double own_gain = own == ranking.end() ? 0 : own->gain;
   const double best_gain = ranking.empty() ? 0 : ranking.front().gain;
-  if (std::max(own_gain, best_gain) <= critical()) return goesWithout(place, own_gain, *without);
+  if (std::max(own_gain, best_gain) <= model_.critical())
+    return goesWithout(place, own_gain, *without);
   if (best_gain > own_gain + std::max(2.0, kSwap * own_gain)) {
     Candidate best = ranking.front();
     if (!best.full) candidates_.fitFinally(*without, best);
@@ -108,7 +88,7 @@ bool JointSearch::reviewOne(std::size_t place) {
       return swaps(place, own_gain, *without, best, ranking);
     }
   }
-  accepted_[place].gain = own_gain;
+  model_.found()[place].gain = own_gain;
   setRivals(place, ranking, *without);
   return false;
 }
@@ -116,7 +96,7 @@ bool JointSearch::reviewOne(std::size_t place) {
 // Drops a cause that nothing misses by its sensitivities, unless exact runs do.
 bool JointSearch::goesWithout(std::size_t place, double gain, const Stage& without) {
   if (!entersAsWell(fitFully(ensemble_, data_, without, causes_, without.model(), effort_),
-                    accepted_[place].gain)) {
+                    model_.found()[place].gain)) {
     return false;
   }
   drop(place, gain, "no longer needed beside the others");
@@ -126,61 +106,36 @@ bool JointSearch::goesWithout(std::size_t place, double gain, const Stage& witho
 // Enters a model in the place of the one so far, unless exact runs with it leave more: what a cause
 // of this gain may.
 bool JointSearch::entersAsWell(const ModelFit& fit, double gain) {
-  const double before = excess();
-  Snapshot whole = snapshot();
-  enterModel(fit);
-  if (excess() <= before + std::max(2 * critical(), kSwap * gain)) return true;
-  restore(std::move(whole));
+  const double before = model_.excess();
+  JointModel::Snapshot whole = model_.snapshot();
+  model_.enter(fit);
+  if (model_.excess() <= before + std::max(2 * model_.critical(), kSwap * gain)) return true;
+  model_.restore(std::move(whole));
   return false;
 }
 
-// Half the squares that are left, over what null sets leave.
-double JointSearch::excess() const {
-  return stage_->white(stage_->raw()).squaredNorm() / 2 - byChance().left;
-}
-
 void JointSearch::drop(std::size_t place, double gain, const std::string& reason) {
-  dropped_[accepted_[place].cause] = std::numeric_limits<double>::infinity();
-  reject(accepted_[place].cause, gain, reason);
-  accepted_.erase(accepted_.begin() + static_cast<std::ptrdiff_t>(place));
+  dropped_[model_.found()[place].cause] = std::numeric_limits<double>::infinity();
+  reject(model_.found()[place].cause, gain, reason);
+  model_.found().erase(model_.found().begin() + static_cast<std::ptrdiff_t>(place));
 }
 
 // If exact runs refuse the best, coarse ones can not judge this place: all is left as it was.
 bool JointSearch::swaps(std::size_t place, double gain, const Stage& without, const Candidate& best,
                         const std::vector<Candidate>& ranking) {
-  if (!entersAsWell(best.fit, accepted_[place].gain)) return false;
-  Accepted swapped{best.cause,
-                   best.gain,
-                   accepted_[place].share,
-                   crossValidate(data_, without, best.fit, best.x.size()),
-                   {},
-                   {}};
-  const std::size_t cause = accepted_[place].cause;
+  if (!entersAsWell(best.fit, model_.found()[place].gain)) return false;
+  FoundCause swapped{best.cause,
+                     best.gain,
+                     model_.found()[place].share,
+                     crossValidate(data_, without, best.fit, best.x.size()),
+                     {},
+                     {}};
+  const std::size_t cause = model_.found()[place].cause;
   drop(place, gain, "explained better by " + causes_[best.cause].id);
-  if (gain > critical()) dropped_[cause] = kComesBack * gain;
-  accepted_.push_back(swapped);
-  setRivals(accepted_.size() - 1, ranking, without);
+  if (gain > model_.critical()) dropped_[cause] = kComesBack * gain;
+  model_.found().push_back(swapped);
+  setRivals(model_.found().size() - 1, ranking, without);
   return true;
-}
-
-// The last numbers, and their intervals, are by exact runs alone.
-void JointSearch::refine() {
-  left_ = stage_->raw();
-  if (fit_.model.empty() || ensemble_.spent()) return;
-  fit_.model = stage_->model();  // where its residual was taken
-  setExactSlopes(ensemble_, causes_, effort_.slope_runs, *stage_, fit_);
-  const Eigen::VectorXd start = columnOf(fit_.model);
-  moveNumbers(fit_, stage_->raw(), *stage_, causes_);
-  const Eigen::VectorXd change = fit_.jacobian * (columnOf(fit_.model) - start);
-  if (stage_->whitenFit(change).norm() < kNear) {
-    left_ -= change;
-    return;
-  }
-  const RunPool pool = ensemble_.pool(settingsOf(causes_, fit_.model), effort_.base_runs);
-  left_ = data_.mean() - pool.mean;
-  const Eigen::VectorXd before = columnOf(fit_.model);
-  moveNumbers(fit_, left_, *stage_, causes_);
-  left_ -= fit_.jacobian * (columnOf(fit_.model) - before);
 }
 
 }  // namespace nao::validation

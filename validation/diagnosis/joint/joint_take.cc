@@ -31,21 +31,21 @@ double half(const Eigen::VectorXd& x) { return x.squaredNorm() / 2; }
 }  // namespace
 
 double JointSearch::shareOf(const Stage& stage, double gain) const {
-  return gain / std::max(half(stage.white(stage.raw())) - byChance().left, gain);
+  return gain / std::max(half(stage.white(stage.raw())) - model_.byChance().left, gain);
 }
 
 // Why a candidate may not be named though it fits; empty: nothing against it.
-std::string JointSearch::objection(const Stage& stage, const Candidate& candidate,
+std::string JointSearch::objection(const Candidate& candidate,
                                    const CrossValidation& validation) const {
-  const bool unchecked = validation.folds == 0 && candidate.gain > kUnchecked * critical();
+  const bool unchecked = validation.folds == 0 && candidate.gain > kUnchecked * model_.critical();
   if (!validation.accepted() && !unchecked) return "does not predict data it was not fitted to";
-  if (shareOf(stage, candidate.gain) < kSmallestShare) return "explains under 3 % of the misfit";
-  if (isAtEnd({candidate.cause, candidate.x})) return kEndOfRange;
+  if (shareOf(stage(), candidate.gain) < kSmallestShare) return "explains under 3 % of the misfit";
+  if (model_.isAtEnd({candidate.cause, candidate.x})) return kEndOfRange;
   if (causes_[candidate.cause].one_for_all &&
-      others_.costOf(candidate.cause, candidate.x[0]) > kUnchecked * critical()) {
+      model_.others().costOf(candidate.cause, candidate.x[0]) > kUnchecked * model_.critical()) {
     return "there is one for all joints, and others speak against it";
   }
-  if (mayBeOffBy(candidate.gain, greatestGain())) return kOffBy;
+  if (mayBeOffBy(candidate.gain, model_.greatestGain())) return kOffBy;
   return "";
 }
 
@@ -54,27 +54,14 @@ bool JointSearch::mayBeOffBy(double gain, double greatest) const {
   return gain < kLawError * greatest;
 }
 
-double JointSearch::greatestGain() const {
-  double greatest = std::max(0.0, given_gain_);
-  for (const Accepted& one : accepted_) greatest = std::max(greatest, one.gain);
-  return greatest;
-}
-
 // Whether a second law of a family may be what the first one's own lacks. But where it frees that
 // one of its bound it is needed.
 bool JointSearch::mayBeKinsLaw(const Candidate& candidate) const {
   const std::string& family = causes_[candidate.cause].family;
   if (family.empty() || trying_) return false;
-  return std::any_of(accepted_.begin(), accepted_.end(), [&](const Accepted& one) {
+  return std::any_of(model_.found().begin(), model_.found().end(), [&](const FoundCause& one) {
     return causes_[one.cause].family == family && candidate.gain < kKinError * one.gain;
   });
-}
-
-bool JointSearch::isAtEnd(const Chosen& one) const {
-  const FreeNumber& size = causes_[one.cause].free[0];
-  const double margin = 1e-6 * (size.upper - size.lower);
-  const bool above = one.x[0] > size.upper - margin && !causes_[one.cause].whole;
-  return above || one.x[0] < size.lower + margin;
 }
 
 // How a candidate that may be named predicts what it was not fitted to; of others it notes why not.
@@ -82,8 +69,8 @@ std::optional<CrossValidation> JointSearch::validated(const Candidate& candidate
   const auto dropped = dropped_.find(candidate.cause);
   if (dropped != dropped_.end() && candidate.gain < dropped->second) return std::nullopt;
   const CrossValidation validation =
-      crossValidate(data_, *stage_, candidate.fit, candidate.x.size());
-  const std::string reason = objection(*stage_, candidate, validation);
+      crossValidate(data_, stage(), candidate.fit, candidate.x.size());
+  const std::string reason = objection(candidate, validation);
   if (reason.empty()) return validation;
   reject(candidate.cause, candidate.gain, reason);
   return std::nullopt;
@@ -93,13 +80,13 @@ bool JointSearch::acceptOneOf(std::vector<Candidate>& ranking) {
   const double best = ranking.empty() ? 0 : ranking.front().gain;
   int fitted = 0;
   for (Candidate& candidate : ranking) {
-    if (candidate.gain <= critical()) return false;
+    if (candidate.gain <= model_.critical()) return false;
     if (!candidate.full) {  // all before it may not be named
       if (candidate.gain < kNextBest * best || fitted++ == effort_.finalists) return false;
       if (ensemble_.spent()) return false;
-      candidates_.fitFinally(*stage_, candidate);
+      candidates_.fitFinally(stage(), candidate);
     }
-    if (candidate.gain <= critical()) continue;
+    if (candidate.gain <= model_.critical()) continue;
     if (mayBeKinsLaw(candidate)) {  // of which the others explain less
       reject(candidate.cause, candidate.gain, kOffBy);
       return false;
@@ -114,54 +101,54 @@ bool JointSearch::acceptOneOf(std::vector<Candidate>& ranking) {
 
 void JointSearch::take(const Candidate& candidate, const CrossValidation& validation,
                        const std::vector<Candidate>& ranking) {
-  accepted_.push_back(
-      {candidate.cause, candidate.gain, shareOf(*stage_, candidate.gain), validation, {}, {}});
-  setRivals(accepted_.size() - 1, ranking, *stage_);
+  model_.found().push_back(
+      {candidate.cause, candidate.gain, shareOf(stage(), candidate.gain), validation, {}, {}});
+  setRivals(model_.found().size() - 1, ranking, stage());
   ensemble_.learnNoise(settingsOf(causes_, candidate.fit.model));
-  enterModel(candidate.fit);
-  descend();
+  model_.enter(candidate.fit);
+  model_.descend();
 }
 
 // A joint that sticks or rattles may look explained in coarse steps alone. Of little, chance
 // between two ensembles may hide the most.
 bool JointSearch::takeIfBorneOut(const Candidate& candidate, const CrossValidation& validation,
                                  const std::vector<Candidate>& ranking) {
-  const Eigen::VectorXd raw = stage_->raw();
-  Snapshot before = snapshot();
+  const Eigen::VectorXd raw = stage().raw();
+  JointModel::Snapshot before = model_.snapshot();
   take(candidate, validation, ranking);
-  const double all = half(stage_->whitenFit(raw));
-  const double promised = all - half(stage_->whitenFit(raw - candidate.fit.change.mean()));
-  const double kept = all - half(stage_->white(stage_->raw()));
+  const double all = half(stage().whitenFit(raw));
+  const double promised = all - half(stage().whitenFit(raw - candidate.fit.change.mean()));
+  const double kept = all - half(stage().white(stage().raw()));
   if (kept >= kBorneOut * std::max(0.0, promised)) return true;
-  if (promised - kept < kUnchecked * critical()) return true;
-  restore(std::move(before));
+  if (promised - kept < kUnchecked * model_.critical()) return true;
+  model_.restore(std::move(before));
   reject(candidate.cause, candidate.gain, "runs without approximations do not bear it out");
   return false;
 }
 
 // Whether this is what was last said against any.
 bool JointSearch::wasRefused(const Candidate& candidate, const char* reason) const {
-  return !rejected_.empty() && rejected_.back().cause == causes_[candidate.cause].id &&
-         rejected_.back().reason == reason;
+  return !notes_.rejected.empty() && notes_.rejected.back().cause == causes_[candidate.cause].id &&
+         notes_.rejected.back().reason == reason;
 }
 
 // One of two causes that act alike, alone, goes as far as it may: only with the other beside it is
 // it seen to be what it is. Two such in a row are none.
 bool JointSearch::takeIfFreed(const Candidate& candidate, const std::vector<Candidate>& ranking) {
   if (trying_ || !wasRefused(candidate, kEndOfRange)) return false;
-  if (mayBeOffBy(candidate.gain, greatestGain())) return false;
-  if (static_cast<int>(accepted_.size()) + 2 > effort_.most_causes) return false;
-  Snapshot before = snapshot();
-  const Rejected reason = rejected_.back();
-  rejected_.pop_back();
-  const std::size_t place = accepted_.size();
-  take(candidate, crossValidate(data_, *stage_, candidate.fit, candidate.x.size()), ranking);
+  if (mayBeOffBy(candidate.gain, model_.greatestGain())) return false;
+  if (static_cast<int>(model_.found().size()) + 2 > effort_.most_causes) return false;
+  JointModel::Snapshot before = model_.snapshot();
+  const Rejected reason = notes_.rejected.back();
+  notes_.rejected.pop_back();
+  const std::size_t place = model_.found().size();
+  take(candidate, crossValidate(data_, stage(), candidate.fit, candidate.x.size()), ranking);
   trying_ = true;
-  const bool freed = step() && !isAtEnd(fit_.model[place]);
+  const bool freed = step() && !model_.isAtEnd(model_.fit().model[place]);
   trying_ = false;
   if (freed) return true;
-  restore(std::move(before));
-  rejected_.push_back(reason);
+  model_.restore(std::move(before));
+  notes_.rejected.push_back(reason);
   return false;
 }
 
@@ -169,27 +156,15 @@ bool JointSearch::takeIfFreed(const Candidate& candidate, const std::vector<Cand
 // and is clearly seen, is no part of it.
 bool JointSearch::takeIfNothingIsLeft(const Candidate& candidate,
                                       const std::vector<Candidate>& ranking) {
-  if (!wasRefused(candidate, kOffBy) || !remainder().isSome()) return false;
-  if (candidate.gain < kClear * critical()) return false;
-  Snapshot before = snapshot();
+  if (!wasRefused(candidate, kOffBy) || !model_.remainder().isSome()) return false;
+  if (candidate.gain < kClear * model_.critical()) return false;
+  JointModel::Snapshot before = model_.snapshot();
   const CrossValidation validation =
-      crossValidate(data_, *stage_, candidate.fit, candidate.x.size());
+      crossValidate(data_, stage(), candidate.fit, candidate.x.size());
   if (!takeIfBorneOut(candidate, validation, ranking)) return false;
-  if (!remainder().isSome()) return true;
-  restore(std::move(before));
+  if (!model_.remainder().isSome()) return true;
+  model_.restore(std::move(before));
   return false;
-}
-
-JointSearch::Snapshot JointSearch::snapshot() const {
-  return {std::make_unique<Stage>(*stage_), fit_, nulls_, accepted_, ensemble_.noise()};
-}
-
-void JointSearch::restore(Snapshot before) {
-  stage_ = std::move(before.stage);
-  fit_ = std::move(before.fit);
-  nulls_ = std::move(before.nulls);
-  accepted_ = std::move(before.accepted);
-  ensemble_.setNoise(before.noise);
 }
 
 }  // namespace nao::validation

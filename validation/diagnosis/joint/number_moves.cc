@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/random.h"
+#include "validation/diagnosis/joint/by_chance.h"
 #include "validation/diagnosis/joint/motion_votes.h"
 
 namespace nao::validation {
@@ -97,6 +98,19 @@ void addSpread(const std::vector<Cause>& causes, const CauseList& model, Eigen::
     }
     column += static_cast<Eigen::Index>(one.x.size());
   }
+}
+
+FoundNumber within(FoundNumber number, const Eigen::VectorXd& moves, double high) {
+  const std::vector<double> all(moves.data(), moves.data() + moves.size());
+  number.low = number.deviation - quantile(all, high);
+  number.high = number.deviation - quantile(all, 1 - high);
+  return number;
+}
+
+bool mayBeSmall(const FoundNumber& size, const Eigen::VectorXd& moves, const Cause& cause,
+                double high) {
+  const FoundNumber one = within(size, moves, high);
+  return mayBeSmall(one.low, one.high, cause.free[0].smallest);
 }
 
 }  // namespace nao::validation

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "validation/diagnosis/causes/verdict.h"
 #include "validation/diagnosis/joint/candidate_fit.h"
 #include "validation/diagnosis/joint/stage.h"
 
@@ -37,5 +38,11 @@ void addRounding(const JointData& data, const Stage& stage, const ModelFit& fit,
 
 /// What equal robots differ by in the numbers themselves, and what laws leave out.
 void addSpread(const std::vector<Cause>& causes, const CauseList& model, Eigen::MatrixXd& moves);
+
+/// The number with the interval that leaves 1 - `high` of its moves out at either end: of 90 %.
+FoundNumber within(FoundNumber number, const Eigen::VectorXd& moves, double high = 0.95);
+/// Whether a cause of this size may be of no interest, as its size may be what it is less `moves`.
+bool mayBeSmall(const FoundNumber& size, const Eigen::VectorXd& moves, const Cause& cause,
+                double high = 0.95);
 
 }  // namespace nao::validation

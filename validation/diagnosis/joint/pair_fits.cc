@@ -64,11 +64,6 @@ CauseList withFound(const CauseList& firsts, const CauseList& found) {
 
 }  // namespace
 
-bool has(const CauseList& model, std::size_t cause) {
-  return std::any_of(model.begin(), model.end(),
-                     [&](const Chosen& one) { return one.cause == cause; });
-}
-
 bool isOrderly(const std::vector<Cause>& causes, const CauseList& model) {
   return std::all_of(model.begin(), model.end(),
                      [&](const Chosen& one) { return actsOnCommand(causes[one.cause]); });

@@ -8,8 +8,6 @@
 
 namespace nao::validation {
 
-/// Whether the model has the cause.
-bool has(const CauseList& model, std::size_t cause);
 /// Whether all of a model alter the command: which acts first makes a difference.
 bool isOrderly(const std::vector<Cause>& causes, const CauseList& model);
 

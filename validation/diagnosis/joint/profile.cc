@@ -2,7 +2,7 @@
 // come from null sets, not from here.
 #include <Eigen/QR>
 
-#include "validation/diagnosis/joint/joint_search.h"
+#include "validation/diagnosis/joint/joint_report.h"
 
 namespace nao::validation {
 namespace {
@@ -37,29 +37,30 @@ class Alone {
 }  // namespace
 
 // What is left at the fit's numbers, which a last step moved away from the stage's.
-Eigen::VectorXd JointSearch::leftAtFit() const {
-  Eigen::VectorXd left = stage_->raw();
+Eigen::VectorXd JointReport::leftAtFit() const {
+  Eigen::VectorXd left = stage_.raw();
   Eigen::Index column = 0;
   for (std::size_t i = 0; i < fit_.model.size(); ++i) {
     for (std::size_t n = 0; n < fit_.model[i].x.size(); ++n, ++column) {
-      left -= fit_.jacobian.col(column) * (fit_.model[i].x[n] - stage_->model()[i].x[n]);
+      left -= fit_.jacobian.col(column) * (fit_.model[i].x[n] - stage_.model()[i].x[n]);
     }
   }
   return left;
 }
 
-std::vector<ProfilePoint> JointSearch::profileOf(std::size_t place, const FoundNumber& number) {
+std::vector<ProfilePoint> JointReport::profileOf(std::size_t place, const FoundNumber& number) {
   const Cause& cause = causes_[fit_.model[place].cause];
   std::vector<ProfilePoint> profile;
-  if (cause.beats || number.high <= number.low || ensemble_.spent()) return profile;
+  if (cause.beats || number.high <= number.low || model_.ensemble().spent()) return profile;
   Eigen::Index column = 0;
   for (std::size_t i = 0; i < place; ++i) {
     column += static_cast<Eigen::Index>(fit_.model[i].x.size());
   }
-  const Alone alone(*stage_, fit_, column);
+  const Alone alone(stage_, fit_, column);
   const Eigen::VectorXd left = alone(leftAtFit());
   const auto halves = [&](const CauseList& model) {
-    return ensemble_.roughHalves(settingsOf(causes_, model), effort_.look_runs, Over::Fit);
+    return model_.ensemble().roughHalves(settingsOf(causes_, model), model_.effort().look_runs,
+                                         Over::Fit);
   };
   const Halves base = halves(fit_.model);
   for (const double place_in_widths : kPlaces) {

@@ -298,4 +298,11 @@ Signature signatureOf(const JointSimulator& joint, const JointData& data, const 
   return select(all, features.all());
 }
 
+Signature lackedAt(const JointSimulator& joint, const Ensemble& ensemble,
+                   const std::vector<Cause>& causes, const Stage& stage) {
+  std::vector<EffectSetting> model = ensemble.given();
+  for (const EffectSetting& one : settingsOf(causes, stage.model())) model.push_back(one);
+  return signatureOf(joint, ensemble.data(), stage, model);
+}
+
 }  // namespace nao::validation

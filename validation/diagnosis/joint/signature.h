@@ -44,4 +44,8 @@ std::vector<Eigen::Index> rowsOffStops(const Eigen::MatrixXd& motion,
 Signature signatureOf(const JointSimulator& joint, const JointData& data, const Stage& stage,
                       const std::vector<EffectSetting>& causes);
 
+/// The same beside all that a stage's runs have in them: its model, and what is given.
+Signature lackedAt(const JointSimulator& joint, const Ensemble& ensemble,
+                   const std::vector<Cause>& causes, const Stage& stage);
+
 }  // namespace nao::validation

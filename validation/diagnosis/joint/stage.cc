@@ -80,9 +80,7 @@ void Stage::setJacobian(const Eigen::MatrixXd& jacobian) {
 }
 
 bool Stage::isTaken(std::size_t cause) const {
-  return std::find(given_.begin(), given_.end(), cause) != given_.end() ||
-         std::any_of(model_.begin(), model_.end(),
-                     [&](const Chosen& one) { return one.cause == cause; });
+  return std::find(given_.begin(), given_.end(), cause) != given_.end() || has(model_, cause);
 }
 
 // One run per motion tells which of many sizes is worth a look.
