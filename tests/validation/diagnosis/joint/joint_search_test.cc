@@ -129,7 +129,9 @@ TEST(JointSearch, NamesASmallSecondCauseThatLeavesNothing) {
   EXPECT_EQ(all.verdict, Verdict::Named);
   ASSERT_EQ(all.named().size(), 2u);
   EXPECT_EQ(all.named()[1]->cause, "viscous_friction");
-  EXPECT_NEAR(all.named()[1]->numbers[0].deviation, 0.06, 0.003);
+  const FoundNumber& damping = all.named()[1]->numbers[0];
+  EXPECT_LE(damping.low, 0.06);
+  EXPECT_GE(damping.high, 0.06);
   laws.cogging = 0.03;
   const JointVerdict part = diagnose(laws, test::toyCauses(), two);
   EXPECT_EQ(part.verdict, Verdict::PartlyExplained);
@@ -304,9 +306,10 @@ TEST(JointSearch, FindsARippleByTheTorqueThatItsModelLacks) {
   ASSERT_EQ(verdict.findings.size(), 1u);
   EXPECT_EQ(verdict.findings[0].cause, "cogging");
   const std::vector<FoundNumber>& numbers = verdict.findings[0].numbers;
-  EXPECT_NEAR(numbers[0].value, 0.6, 0.03);
-  EXPECT_NEAR(numbers[1].value, 31, 0.05);
-  EXPECT_NEAR(numbers[2].value, 0.7, 0.05);
+  // By each of them alone the torque is off by 5 % of its height at most, over a radian.
+  EXPECT_NEAR(numbers[0].value, laws.cogging, 0.05 * laws.cogging);
+  EXPECT_NEAR(numbers[1].value, laws.cogs, 0.05);
+  EXPECT_NEAR(numbers[2].value, laws.cog_phase, 0.05);
 }
 
 // What is smoothed is found first and would act first; limited before it has other corners.
