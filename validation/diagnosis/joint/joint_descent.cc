@@ -21,8 +21,8 @@ constexpr double kWorthAStep = 0.1;  // of what is left beyond chance: less is n
 // Coarse runs choose directions badly where a joint sticks or is at a limit, and bend the valley
 // that the numbers are in. Of further causes, most of which stand in for a law of no catalogue,
 // clocks alone, and what is beside them.
-void JointModel::descend() {
-  bool by_clock = false;
+void JointModel::descend(bool every) {
+  bool go_on = every;
   for (int round = 0; round < kRounds && !ensemble_.spent(); ++round) {
     const ByChance chance = byChance();
     const double left = stage_->white(stage_->raw()).squaredNorm() / 2;
@@ -30,8 +30,8 @@ void JointModel::descend() {
     std::optional<ModelFit> next;
     if (round == 0) next = nextByClock();
     const bool settles = next.has_value();
-    by_clock = by_clock || settles;
-    if (!next && (by_clock || found_.size() == 1)) next = nextByExactRuns();
+    go_on = go_on || settles;
+    if (!next && go_on) next = nextByExactRuns();
     if (!next) return;
     Snapshot before = snapshot();
     fit_ = *next;

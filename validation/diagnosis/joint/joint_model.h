@@ -53,8 +53,9 @@ class JointModel {
   std::vector<FoundCause>& found() { return found_; }
   /// Makes these the causes' numbers, a Gauss-Newton step by exact runs further.
   void enter(const ModelFit& fit);
-  /// Goes on by exact runs alone where these leave more than chance does.
-  void descend();
+  /// Goes on by exact runs alone where these leave more than chance does: clocks, and what is
+  /// beside them, or every cause.
+  void descend(bool every);
   /// The last numbers, and their slopes, by exact runs.
   void refine();
   const ModelFit& fit() const { return fit_; }

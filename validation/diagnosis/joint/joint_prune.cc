@@ -114,10 +114,7 @@ bool JointSearch::keepOnly(const std::vector<std::size_t>& kept, const ModelFit&
     if (isAmong(kept, place)) continue;
     drop(place, model_.found()[place].gain, "no longer needed beside the others");
   }
-  std::size_t place = 0;
-  for (std::size_t left = model_.found().size(); left > 0 && !ensemble_.spent(); --left) {
-    if (!reviewOne(place)) ++place;
-  }
+  reviewAll();
   return true;
 }
 

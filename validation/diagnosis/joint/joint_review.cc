@@ -69,6 +69,14 @@ bool JointSearch::review() {
   return changed;
 }
 
+// The same of one that is alone, too.
+void JointSearch::reviewAll() {
+  std::size_t place = 0;
+  for (std::size_t left = model_.found().size(); left > 0 && !ensemble_.spent(); --left) {
+    if (!reviewOne(place)) ++place;
+  }
+}
+
 bool JointSearch::reviewOne(std::size_t place) {
   const auto without = model_.stageWithout(place);
   std::vector<Candidate> ranking =

@@ -154,8 +154,9 @@ JointVerdict JointSearch::conclude(const OtherJoints& others) {
     if (model_.found().size() == before || !review()) break;
   }
   if (takesPair(start)) lookForMore();
+  dropWhatMayBeOff();
   model_.refine();
-  if (prune()) model_.refine();
+  if (prune() || takesOneForTwo()) model_.refine();
   notes_.not_tried = candidates_.notTried();
   return JointReport(model_, notes_).verdict();
 }

@@ -74,6 +74,7 @@ class JointSearch {
                       const std::vector<Candidate>& ranking);
   bool takeIfFreed(const Candidate& candidate, const std::vector<Candidate>& ranking);
   bool takeIfNothingIsLeft(const Candidate& candidate, const std::vector<Candidate>& ranking);
+  void dropWhatMayBeOff();
   bool wasRefused(const Candidate& candidate, const char* reason) const;
   std::optional<CrossValidation> validated(const Candidate& candidate);
   std::string objection(const Candidate& candidate, const CrossValidation& validation) const;
@@ -86,6 +87,7 @@ class JointSearch {
 
   // What was found seen again: joint_review.cc, joint_prune.cc
   bool review();
+  void reviewAll();
   bool reviewOne(std::size_t place);
   bool swaps(std::size_t place, double gain, const Stage& without, const Candidate& best,
              const std::vector<Candidate>& ranking);
@@ -95,6 +97,10 @@ class JointSearch {
   bool prune();
   ModelFit fitAnew(const std::vector<std::size_t>& kept);
   bool keepOnly(const std::vector<std::size_t>& kept, const ModelFit& fit);
+
+  // One for two: joint_twins.cc
+  bool takesOneForTwo();
+  double roughlyLeftBy(const CauseList& model);
 
   // Two at once: joint_pairs.cc
   bool takesPair(const Stage& start);

@@ -106,7 +106,7 @@ void JointSearch::take(const Candidate& candidate, const CrossValidation& valida
   setRivals(model_.found().size() - 1, ranking, stage());
   ensemble_.learnNoise(settingsOf(causes_, candidate.fit.model));
   model_.enter(candidate.fit);
-  model_.descend();
+  model_.descend(model_.found().size() == 1);
 }
 
 // A joint that sticks or rattles may look explained in coarse steps alone. Of little, chance
@@ -165,6 +165,19 @@ bool JointSearch::takeIfNothingIsLeft(const Candidate& candidate,
   if (!model_.remainder().isSome()) return true;
   model_.restore(std::move(before));
   return false;
+}
+
+// What explained more when it was taken, before the numbers of the first came to rest. One that is
+// clearly seen was taken because nothing is left beside it.
+void JointSearch::dropWhatMayBeOff() {
+  for (std::size_t place = model_.found().size(); place-- > 0;) {
+    const double gain = model_.found()[place].gain;
+    if (model_.found().size() < 2 || ensemble_.spent()) return;
+    if (!mayBeOffBy(gain, model_.greatestGain()) || gain > kClear * model_.critical()) continue;
+    const std::unique_ptr<Stage> without = model_.stageWithout(place);
+    model_.enter(fitFully(ensemble_, data_, *without, causes_, without->model(), effort_));
+    drop(place, gain, kOffBy);
+  }
 }
 
 }  // namespace nao::validation
