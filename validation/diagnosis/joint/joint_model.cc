@@ -99,7 +99,7 @@ void JointModel::enter(const ModelFit& fit) {
   const Eigen::VectorXd unmoved = data_.mean() - pool.mean;
   moveNumbers(fit_, unmoved, *stage_, causes_);
   std::unique_ptr<Stage> stage = stageOf(fit_.model, fit_.jacobian);
-  const auto left = [&](const Eigen::VectorXd& raw) { return half(stage->whitenFit(raw)); };
+  const auto left = [&](const Eigen::VectorXd& raw) { return half(stage_->whitenFit(raw)); };
   if (left(stage->raw()) > left(unmoved) + critical()) {
     fit_.model = fit.model;
     stage = stageOf(fit_.model, fit_.jacobian);
