@@ -9,6 +9,9 @@
 namespace nao::validation {
 namespace {
 
+constexpr double kShortStep = 1;   // [SD] a step that needs no proof
+constexpr double kOwnLeft = 0.25;  // of squares
+
 // The steps of the numbers that whitened residuals ask for, by one Gauss-Newton step.
 class Steps {
  public:
@@ -117,9 +120,28 @@ WholeStep stepOf(const WholeTask& task, const WholeStage& stage, const WholeFit&
   return all;
 }
 
+bool speaksFor(const WholeStage& stage, const Eigen::VectorXd& before, const Eigen::VectorXd& after,
+               Proof proof) {
+  const Eigen::VectorXd from = stage.whitenFit(before), to = stage.whitenFit(after);
+  if (to.squaredNorm() < from.squaredNorm()) return true;
+  if (proof == Proof::LessIsLeft || to.squaredNorm() > static_cast<double>(to.size())) return false;
+  const auto own = [&](const Eigen::VectorXd& white) {
+    return (white - stage.beside(white)).squaredNorm();
+  };
+  return own(to) < kOwnLeft * own(from);
+}
+
+bool isBorneOut(const WholeTask& task, const WholeStage& stage, const WholeStep& step,
+                Proof proof) {
+  return speaksFor(stage, stage.raw(), manyRunsResidual(task, step.to),
+                   task.data->hasCoarse() ? Proof::LessIsLeft : proof);
+}
+
 void refine(const WholeTask& task, const WholeStage& stage, WholeFit& fit) {
   WholeStep step = stepOf(task, stage, fit);
-  if (step.length <= kByChance) fit.model = std::move(step.to);
+  if (step.length > kByChance) return;
+  if (step.length <= kShortStep || isBorneOut(task, stage, step, Proof::LessOfItsOwn))
+    fit.model = std::move(step.to);
 }
 
 }  // namespace nao::validation

@@ -21,9 +21,7 @@ constexpr double kLessNoise = 0.8;
 // Of what was wrong at first, that a further cause must explain at least: a replay renders a gross
 // effect to about a tenth, which leaves a hundredth of its misfit to causes that are none.
 constexpr double kLeastOfAll = 0.02;
-// How often numbers are moved further than chance goes, and a step that needs no proof [SD].
-constexpr int kMostSteps = 3;
-constexpr double kShortStep = 1;
+constexpr int kMostSteps = 3;  // of numbers further than chance goes
 
 }  // namespace
 
@@ -74,10 +72,10 @@ void WholeSearch::learnNoise() {
 
 // Fits of few runs leave numbers where their chance is least, and what that leaves of a large cause
 // passes for a second one: further than chance goes, steps are taken that many runs bear out.
-void WholeSearch::walkOn() {
+void WholeSearch::walkOn(Proof proof) {
   for (int i = 0; i < kMostSteps; ++i) {
     const WholeStep step = stepOf(task_, *stage_, fit_);
-    if (step.length <= kByChance || !isBorneOut(step)) return;
+    if (step.length <= kByChance || !isBorneOut(task_, *stage_, step, proof)) return;
     WholeFit moved;
     moved.model = step.to;
     addJacobian(task_, moved, stage_.get());
@@ -85,19 +83,11 @@ void WholeSearch::walkOn() {
   }
 }
 
-// The last step, of which the stage knows nothing: taken once.
+// Only now as far as the numbers themselves ask: chance that is larger there would be taken for one
+// more cause. The last step, of which the stage knows nothing, is taken once.
 void WholeSearch::settle() {
-  walkOn();
-  const WholeStep step = stepOf(task_, *stage_, fit_);
-  if (step.length > kByChance) return;
-  if (step.length <= kShortStep || isBorneOut(step)) fit_.model = step.to;
-}
-
-bool WholeSearch::isBorneOut(const WholeStep& step) const {
-  const auto left = [&](const Eigen::VectorXd& raw) {
-    return stage_->whitenFit(raw).squaredNorm();
-  };
-  return left(manyRunsResidual(task_, step.to)) < left(stage_->raw());
+  walkOn(Proof::LessOfItsOwn);
+  refine(task_, *stage_, fit_);
 }
 
 bool WholeSearch::step() {
@@ -145,7 +135,7 @@ void WholeSearch::take(const std::vector<Candidate>& ranking, const Candidate& o
   WholeFit next = one.fit;
   addJacobian(task_, next, stage_.get());
   enter(next);
-  walkOn();
+  walkOn(Proof::LessIsLeft);
 }
 
 // The last cause was chosen under a noise that had to stand for what it explains, in which its

@@ -58,9 +58,8 @@ class WholeSearch {
 
   void enter(const WholeFit& fit);
   void learnNoise();
-  void walkOn();
+  void walkOn(Proof proof);
   void settle();
-  bool isBorneOut(const WholeStep& step) const;
   bool step();
   struct Promise {
     double gain = 0, scale = 0;

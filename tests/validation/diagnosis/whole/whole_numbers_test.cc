@@ -81,6 +81,27 @@ TEST_F(WholeNumbersTest, AreAskedToWhereTheyAreFromFurtherThanChanceGoes) {
             stage.whitenFit(stage.raw()).norm());
 }
 
+// Chance beside the numbers, by which more is left after the step than before it.
+TEST_F(WholeNumbersTest, OnTheFeetGoWhereTheyAreAskedThoughRunsPartByChance) {
+  const WholeFit fit = fitAt(kTruth + 0.1);
+  const WholeStage stage(task_, fit.model, fit.jacobian);
+  const auto square = [&](const Eigen::VectorXd& raw) {
+    return stage.whitenFit(raw).squaredNorm();
+  };
+  const Eigen::VectorXd there = manyRunsResidual(task_, stepOf(task_, stage, fit).to);
+  ASSERT_TRUE(speaksFor(stage, stage.raw(), there, Proof::LessIsLeft));
+  Eigen::VectorXd chance = Eigen::VectorXd::Zero(there.size());
+  for (const Eigen::VectorXd& null : stage.nulls()) {
+    if (square(there + chance) > square(stage.raw())) break;
+    chance += 0.1 * null;
+  }
+  ASSERT_GT(square(there + chance), square(stage.raw()));
+  ASSERT_LT(square(there + chance), static_cast<double>(stage.fitSize()));
+  EXPECT_TRUE(speaksFor(stage, stage.raw(), there + chance, Proof::LessOfItsOwn));
+  EXPECT_FALSE(speaksFor(stage, stage.raw(), there + chance, Proof::LessIsLeft));
+  EXPECT_FALSE(speaksFor(stage, stage.raw(), stage.raw() + chance, Proof::LessOfItsOwn));
+}
+
 TEST_F(WholeNumbersTest, MayBeOffByWhatEqualRobotsDifferBy) {
   const WholeFit fit = fitAt(kTruth);
   causes_[0].cause.spread = 0;
