@@ -20,9 +20,9 @@ struct WholeStep {
 inline constexpr double kByChance = 4;
 WholeStep stepOf(const WholeTask& task, const WholeStage& stage, const WholeFit& fit);
 
-/// What speaks for a step. Robots on their feet part by chance as soon as any number moves: a walk
-/// whose commands are 3 ms late was told as 2.2 ms late, as its runs between 2.3 and 3.5 ms took a
-/// step more than those that were measured.
+/// What speaks for a step of the numbers. Robots on their feet part by chance as soon as any number
+/// moves, so that more may be left by all signals where the numbers are right: two walks whose
+/// commands are 3 ms late were told as 2.2 ms late.
 enum class Proof {
   LessIsLeft,
   LessOfItsOwn,  // or, of what the stage's own numbers explain, a quarter, and no more than chance
