@@ -13,7 +13,8 @@ namespace nao::daemon {
 
 /// Sends a robot's LoLA client what the robot senses: at every cycle one frame in one piece. Never
 /// waits: a client that has not read its last frame misses this one, so that it never finds more
-/// than one. Simulation thread.
+/// than one; a receive with room for two may get the next as well if that is sent while it runs.
+/// Simulation thread.
 class LolaSender {
  public:
   static constexpr Duration kCycle = std::chrono::milliseconds(12);

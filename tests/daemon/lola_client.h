@@ -18,12 +18,14 @@
 
 namespace nao::daemon {
 
-/// A LoLA client as teams write them: blocking, one receive a frame, maps of float32. A silence of
-/// 20 s is the end of the test, not of patience.
+/// A LoLA client as teams write them: blocking, one receive of 896 bytes a frame, maps of float32.
+/// A silence of 20 s is the end of the test, not of patience.
 class LolaClient {
  public:
   using Value = rpc::Value;
   using Map = std::vector<std::pair<std::string, Value>>;
+
+  static constexpr std::size_t kFrame = 896;  // bytes
 
   explicit LolaClient(const std::string& path) : socket_(::socket(AF_UNIX, SOCK_STREAM, 0)) {
     const timeval patience{20, 0};
@@ -44,23 +46,23 @@ class LolaClient {
     if (socket_ >= 0) ::close(std::exchange(socket_, -1));
   }
 
-  /// The bytes of one receive; none once the robot has closed. Room for more than a frame, so that
-  /// two at once would show.
-  std::string receiveBytes() {
-    std::string bytes(4096, '\0');
+  /// The bytes of one receive; none once the robot has closed. `most`: with room for more than a
+  /// frame, two at once show; where the world does not wait, one may come while another is read.
+  std::string receiveBytes(std::size_t most = 4 * kFrame) {
+    std::string bytes(most, '\0');
     const ssize_t count = ::recv(socket_, bytes.data(), bytes.size(), 0);
     if (count < 0 && errno != ECONNRESET) throw std::runtime_error("the robot is silent");
     bytes.resize(static_cast<std::size_t>(count > 0 ? count : 0));
     return bytes;
   }
 
-  /// The next frame. @throws std::runtime_error unless it came alone and whole.
+  /// The next frame. @throws std::runtime_error unless it came whole.
   Value receive() {
-    const std::string bytes = receiveBytes();
+    const std::string bytes = receiveBytes(kFrame);
     wire::MsgpackReader reader;
     reader.push(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
     auto frame = reader.next();
-    if (bytes.size() != 896 || !frame || reader.bytesHeld() != 0) {
+    if (bytes.size() != kFrame || !frame || reader.bytesHeld() != 0) {
       throw std::runtime_error("a malformed frame of " + std::to_string(bytes.size()) + " bytes");
     }
     return *frame;

@@ -153,8 +153,10 @@ TEST_F(LolaServerTest, AClientThatSendsNothingHoldsNobodyUp) {
   const double start = time();
   while (time() < start + 2) {
   }
-  // It has one frame to read, not all that it missed.
-  EXPECT_EQ(silent.receiveBytes().size(), 896U);
+  // It has one frame to read, not all that it missed; the next may come while it reads.
+  const std::size_t bytes = silent.receiveBytes().size();
+  EXPECT_GE(bytes, LolaClient::kFrame);
+  EXPECT_LE(bytes, 2 * LolaClient::kFrame);
 }
 
 TEST_F(LolaServerTest, ASlowClientIsWaitedForOnlySoLong) {
@@ -162,8 +164,8 @@ TEST_F(LolaServerTest, ASlowClientIsWaitedForOnlySoLong) {
   options.lola_lockstep = 0.01;
   LolaDaemon daemon(options);
   LolaClient client(path_);
-  EXPECT_EQ(client.receiveBytes().size(), 896U);
-  EXPECT_EQ(client.receiveBytes().size(), 896U);  // although the first one was not answered
+  client.receive();
+  client.receive();  // although the first one was not answered
 }
 
 TEST_F(LolaServerTest, WhoComesBackDrivesAgain) {
@@ -241,13 +243,13 @@ TEST_F(LolaServerTest, ASocketThatNobodyAnswersGivesWay) {
         io, boost::asio::local::stream_protocol::endpoint(path_));
   }
   LolaDaemon daemon(freeRunning());
-  EXPECT_EQ(LolaClient(path_).receiveBytes().size(), 896U);
+  LolaClient(path_).receive();
 }
 
 TEST_F(LolaServerTest, ASocketThatIsAnsweredDoesNot) {
   LolaDaemon first(freeRunning());
   EXPECT_THROW(Daemon{freeRunning()}, InputError);
-  EXPECT_EQ(LolaClient(path_).receiveBytes().size(), 896U);
+  LolaClient(path_).receive();
 }
 
 TEST_F(LolaServerTest, AFileThatIsNoSocketStays) {
