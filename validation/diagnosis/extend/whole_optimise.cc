@@ -1,6 +1,7 @@
 #include "validation/diagnosis/extend/whole_optimise.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "core/check.h"
 #include "validation/diagnosis/maths/block_bootstrap.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr int kMostFits = 4;     // one after another, as long as they gain
 constexpr double kNothing = 1;   // [nats] that a further fit gains at most
+constexpr int kMostSteps = 3;    // of numbers further than chance goes
 constexpr int kEachMotion = 16;  // runs that an error is told by
 
 /// The numbers to fit, as causes of the whole robot.
@@ -111,6 +113,20 @@ WholeFit fitTillDone(const WholeTask& task, const WholeStage& stage, const Whole
   return best;
 }
 
+// To where many runs ask the numbers to be.
+std::unique_ptr<WholeStage> walkOn(const WholeTask& task, WholeFit& fit) {
+  auto stage = std::make_unique<WholeStage>(task, fit.model, fit.jacobian);
+  for (int i = 0; i < kMostSteps; ++i) {
+    WholeStep step = stepOf(task, *stage, fit);
+    if (step.length <= kByChance || !tryNumbers(task, *stage, step.to)) break;
+    fit.model = std::move(step.to);
+    addJacobian(task, fit, stage.get());
+    stage = std::make_unique<WholeStage>(task, fit.model, fit.jacobian);
+  }
+  refine(task, *stage, fit);
+  return stage;
+}
+
 // `change`: of the runs, a column per number.
 void requireShown(const Eigen::MatrixXd& change, const std::vector<OptimisedNumber>& numbers,
                   const LogSet& set) {
@@ -156,7 +172,7 @@ Optimised optimiseWhole(const LogSet& set, const std::shared_ptr<const RobotMode
   WholeTask task{&data, &numbers.causes(), {}, {}, options.jobs};
   task.effort.fit_runs = options.runs;
   task.noise = fitSpread(data, {}, task.effort.base_runs, options.jobs).noise;
-  data.learnStepErrors(task.effort.step_runs, task.noise, options.jobs);
+  data.learnStepErrors({}, task.effort.step_runs, task.noise, options.jobs);
   requireShownAnywhere(task, numbers, set);
   const Eigen::MatrixXd none(data.size(), 0);
   const WholeStage stage(task, numbers.start(false), none);
@@ -167,11 +183,11 @@ Optimised optimiseWhole(const LogSet& set, const std::shared_ptr<const RobotMode
   Optimised found;
   found.settings = settingsOf(numbers.causes(), best.model);
   task.noise = fitSpread(data, found.settings, task.effort.base_runs, options.jobs).noise;
+  learnStepErrors(task, best.model);
   addJacobian(task, best, &stage);
-  const WholeStage at_best(task, best.model, none);
-  refine(task, at_best, best);
+  const auto at_best = walkOn(task, best);
   found.settings = settingsOf(numbers.causes(), best.model);
-  found.numbers = numbers.list(best.model, drawNumbers(task, at_best, best));
+  found.numbers = numbers.list(best.model, drawNumbers(task, *at_best, best));
   requireShown(best.jacobian, found.numbers, set);
   found.intervals =
       "what chance would have made of the numbers in sets of the fitted model, and what "

@@ -110,35 +110,43 @@ std::vector<WholeData::Order> WholeData::ordersFor(int per_run, std::size_t most
   return orders;
 }
 
-void WholeData::learnStepErrors(int runs, const NoiseParts& noise, int jobs) {
+std::vector<EffectSetting> WholeData::withGiven(const std::vector<EffectSetting>& causes) const {
+  std::vector<EffectSetting> acting = given_;
+  acting.insert(acting.end(), causes.begin(), causes.end());
+  return acting;
+}
+
+void WholeData::learnStepErrors(const std::vector<EffectSetting>& causes, int runs,
+                                const NoiseParts& noise, int jobs) {
   if (limbs_) return;
-  step_error_.clear();
+  const std::vector<EffectSetting> acting = withGiven(causes);
+  step_errors_ = {{}, 2.0 / runs, keyOf(acting)};
   for (std::size_t block = 0; block < spaces_.size(); ++block) {
     const auto mean = [&](Pace pace) {
       const std::string what = sentence("step error", block, static_cast<int>(pace), runs,
                                         noise.torque, noise.jitter, noise.start_sd);
       used_ += runs * (pace == Pace::Exact ? kExactCost : 1);
-      const WholePool kept = kept_.remember(what + keyOf(given_), [&] {
-        return WholePool{{meanOf(block, pace, runs, noise, jobs)}};
+      const WholePool kept = kept_.remember(what + step_errors_.of, [&] {
+        return WholePool{{meanOf(acting, block, pace, runs, noise, jobs)}};
       });
       return kept[0][0];
     };
     const Eigen::VectorXd exact = mean(Pace::Exact), coarse = mean(Pace::Coarse);
-    step_error_.emplace_back(exact - coarse);
-    if (exact.size() == 0 || coarse.size() == 0) step_error_.back().setZero(spaces_[block].size());
+    const bool known = exact.size() > 0 && coarse.size() > 0;
+    step_errors_.by_block.push_back(known ? Eigen::VectorXd(exact - coarse)
+                                          : Eigen::VectorXd::Zero(spaces_[block].size()));
   }
-  step_error_variance_ = 2.0 / runs;
 }
 
-// Of the model's runs that stand; nothing if none does.
-Eigen::VectorXd WholeData::meanOf(std::size_t block, Pace pace, int count, const NoiseParts& noise,
-                                  int jobs) const {
+// Of the runs that stand; nothing if none does.
+Eigen::VectorXd WholeData::meanOf(const std::vector<EffectSetting>& acting, std::size_t block,
+                                  Pace pace, int count, const NoiseParts& noise, int jobs) const {
   const std::vector<std::size_t>& runs = simulator_.blocks()[block].runs;
   std::vector<Eigen::VectorXd> features(static_cast<std::size_t>(count));
   inParallel(features.size(), jobs, [&](std::size_t i) {
     const std::size_t run = runs[i % runs.size()];
     const std::uint64_t stream = (kStepErrorStream << 40) + i + 1;
-    const WholeRun played = simulator_.simulate(given_, run, stream, noise, pace);
+    const WholeRun played = simulator_.simulate(acting, run, stream, noise, pace);
     if (!played.fell) features[i] = spaces_[block].of(played);
   });
   return meanOfThose(features);
@@ -155,14 +163,13 @@ WholePool WholeData::simulate(const std::vector<EffectSetting>& causes, int per_
                               std::size_t most, Blocks blocks, std::uint64_t streams,
                               const NoiseParts& noise, int jobs, Pace pace) const {
   const std::vector<Order> orders = ordersFor(per_run, most, blocks, streams);
-  std::vector<EffectSetting> acting = given_;
-  acting.insert(acting.end(), causes.begin(), causes.end());
+  const std::vector<EffectSetting> acting = withGiven(causes);
   const int cost = limbs_ && pace == Pace::Exact ? kExactLimbsCost : 1;
   used_ += cost * static_cast<long>(orders.size());
   const std::string what =
       sentence("runs", per_run, most, static_cast<int>(blocks), streams, noise.torque, noise.jitter,
-               noise.start_sd, static_cast<int>(pace), step_error_.size()) +
-      keyOf(acting);
+               noise.start_sd, static_cast<int>(pace), step_errors_.by_block.size()) +
+      step_errors_.of + '\n' + keyOf(acting);
   return kept_.remember(what, [&] { return run(acting, orders, noise, jobs, pace); });
 }
 
@@ -175,7 +182,7 @@ WholePool WholeData::run(const std::vector<EffectSetting>& acting, const std::ve
     const WholeRun run = replay(acting, orders[i].run, orders[i].stream, noise, pace);
     const std::size_t block = block_of_[orders[i].run];
     features[i] = spaces_[block].of(run);
-    if (!step_error_.empty()) features[i] += step_error_[block];
+    if (!step_errors_.by_block.empty()) features[i] += step_errors_.by_block[block];
     fell[i] = run.fell;
   });
   std::vector<int> total(spaces_.size(), 0), down(spaces_.size(), 0);

@@ -3,6 +3,8 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -16,6 +18,13 @@ namespace nao::validation {
 
 /// Which blocks are simulated: all, those to fit, or those held back.
 enum class Blocks { All, Fit, Held };
+
+/// What coarse runs of some causes are off by on the mean of each block; none: not known.
+struct StepErrors {
+  std::vector<Eigen::VectorXd> by_block;
+  double variance = 0;  // the chance in it, of the variance of a single run
+  std::string of;       // the causes
+};
 
 /// What a diagnosis of the limb or robot level may see of a set, as features: a vector per run, and
 /// the stacked means of all blocks, those to fit first. Commands differ from run to run (a walk
@@ -46,11 +55,12 @@ class WholeData {
                   const NoiseParts& noise, Pace pace) const;
   bool hasCoarse() const { return coarse_ != nullptr; }
 
-  /// From now on simulate() makes up for what coarse runs are off by on the mean of a block,
-  /// learned from `runs` of the model by either pace. Limbs that hang alone need none of it.
-  void learnStepErrors(int runs, const NoiseParts& noise, int jobs);
-  /// The chance in that, of the variance of a single run; 0 if nothing is made up for.
-  double stepErrorVariance() const { return step_error_variance_; }
+  /// From now on simulate() makes up for what coarse runs are off by, learned from `runs` of the
+  /// model with these causes by either pace. Limbs that hang alone need none of it.
+  void learnStepErrors(const std::vector<EffectSetting>& causes, int runs, const NoiseParts& noise,
+                       int jobs);
+  const StepErrors& stepErrors() const { return step_errors_; }
+  void makeUpFor(StepErrors errors) { step_errors_ = std::move(errors); }
 
   /// Runs simulated so far, exact ones as the coarse ones of their time.
   long used() const { return used_; }
@@ -69,8 +79,9 @@ class WholeData {
                      Pace pace = Pace::Exact) const;
 
  private:
-  Eigen::VectorXd meanOf(std::size_t block, Pace pace, int count, const NoiseParts& noise,
-                         int jobs) const;
+  std::vector<EffectSetting> withGiven(const std::vector<EffectSetting>& causes) const;
+  Eigen::VectorXd meanOf(const std::vector<EffectSetting>& acting, std::size_t block, Pace pace,
+                         int count, const NoiseParts& noise, int jobs) const;
   struct Order {
     std::size_t run;
     std::uint64_t stream;
@@ -84,8 +95,7 @@ class WholeData {
   std::unique_ptr<LimbReplay> limbs_, coarse_;
   std::vector<EffectSetting> given_;
   KeptRuns kept_;
-  std::vector<Eigen::VectorXd> step_error_;  // by block; empty: not known
-  double step_error_variance_ = 0;
+  StepErrors step_errors_;
   mutable std::atomic<long> used_{0};
   std::vector<FeatureSpace> spaces_;
   std::vector<Eigen::Index> offsets_;

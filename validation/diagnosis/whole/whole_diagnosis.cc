@@ -49,7 +49,7 @@ class RobotCase {
     data.keepIn(KeptRuns(kept_.part("robot")));
     tell("comparing the scatter of the repeats", begun_);
     spread_ = fitSpread(data, {}, options_.effort.base_runs, options_.jobs);
-    data.learnStepErrors(options_.effort.step_runs, spread_.noise, options_.jobs);
+    data.learnStepErrors({}, options_.effort.step_runs, spread_.noise, options_.jobs);
     into_.spreads.push_back({robot_, spread_, spread_});
     const bool whole = options_.level == Level::Robot;
     add(notTriedAmong(handed_on_, whole, simulator_.model(), simulator_.judged()));
@@ -90,7 +90,7 @@ class RobotCase {
     for (const Part& part : parts) {
       progress_ = SearchProgress(begun_ + share * static_cast<double>(&part - parts.data()), share);
       part.data->give(found_);
-      part.data->learnStepErrors(options_.effort.step_runs, spread_.noise, options_.jobs);
+      part.data->learnStepErrors({}, options_.effort.step_runs, spread_.noise, options_.jobs);
       search(*part.data, limbCauses(simulator_.model(), part.limb, simulator_.joints()), part.limb,
              part.joints, false_alarms / static_cast<double>(parts.size()));
     }
@@ -132,7 +132,7 @@ class RobotCase {
   }
 
   // `joints`: of a limb; none: of the robot.
-  void search(const WholeData& data, std::vector<PlacedCause> causes, const std::string& whole,
+  void search(WholeData& data, std::vector<PlacedCause> causes, const std::string& whole,
               const std::vector<Joint>& joints, double false_alarms) {
     const auto unwanted = [&](const PlacedCause& one) {
       if (!one.isTried()) return false;

@@ -79,9 +79,9 @@ void WholeNoise::addBlock(const WholeData& data, const WholePool& pool, std::siz
   Eigen::MatrixXd simulated = deviationsOf(simulatedRuns(pool, of));
   const auto columns = static_cast<double>(simulated.cols());
   const double measured = 1 / static_cast<double>(of.runs.size());
-  const double of_mean = std::sqrt(measured + 1 / columns + data.stepErrorVariance());
+  const double of_mean = std::sqrt(measured + 1 / columns + data.stepErrors().variance);
   raised_.segment(at, simulated.rows()) =
-      std::sqrt(1 + data.stepErrorVariance() / measured) *
+      std::sqrt(1 + data.stepErrors().variance / measured) *
       raise(groups, simulated, deviationsOf({measuredRuns(data, pool, block).runs}),
             columns * measured);
 

@@ -120,27 +120,30 @@ WholeStep stepOf(const WholeTask& task, const WholeStage& stage, const WholeFit&
   return all;
 }
 
-bool speaksFor(const WholeStage& stage, const Eigen::VectorXd& before, const Eigen::VectorXd& after,
-               Proof proof) {
+bool speaksFor(const WholeTask& task, const WholeStage& stage, const Eigen::VectorXd& before,
+               const Eigen::VectorXd& after) {
   const Eigen::VectorXd from = stage.whitenFit(before), to = stage.whitenFit(after);
   if (to.squaredNorm() < from.squaredNorm()) return true;
-  if (proof == Proof::LessIsLeft || to.squaredNorm() > static_cast<double>(to.size())) return false;
+  if (task.data->hasCoarse()) return false;
   const auto own = [&](const Eigen::VectorXd& white) {
     return (white - stage.beside(white)).squaredNorm();
   };
   return own(to) < kOwnLeft * own(from);
 }
 
-bool isBorneOut(const WholeTask& task, const WholeStage& stage, const WholeStep& step,
-                Proof proof) {
-  return speaksFor(stage, stage.raw(), manyRunsResidual(task, step.to),
-                   task.data->hasCoarse() ? Proof::LessIsLeft : proof);
+bool tryNumbers(const WholeTask& task, const WholeStage& stage, const WholeModel& model) {
+  const StepErrors before = task.data->stepErrors();
+  learnStepErrors(task, model);
+  if (speaksFor(task, stage, stage.raw(), manyRunsResidual(task, model))) return true;
+  task.data->makeUpFor(before);
+  return false;
 }
 
 void refine(const WholeTask& task, const WholeStage& stage, WholeFit& fit) {
   WholeStep step = stepOf(task, stage, fit);
   if (step.length > kByChance) return;
-  if (step.length <= kShortStep || isBorneOut(task, stage, step, Proof::LessOfItsOwn))
+  if (step.length <= kShortStep ||
+      speaksFor(task, stage, stage.raw(), manyRunsResidual(task, step.to)))
     fit.model = std::move(step.to);
 }
 

@@ -20,21 +20,18 @@ struct WholeStep {
 inline constexpr double kByChance = 4;
 WholeStep stepOf(const WholeTask& task, const WholeStage& stage, const WholeFit& fit);
 
-/// What speaks for a step of the numbers. Robots on their feet part by chance as soon as any number
-/// moves, so that more may be left by all signals where the numbers are right: two walks whose
-/// commands are 3 ms late were told as 2.2 ms late.
-enum class Proof {
-  LessIsLeft,
-  LessOfItsOwn,  // or, of what the stage's own numbers explain, a quarter, and no more than chance
-};
-/// Whether the residual after a step, raw, speaks for it against the one before.
-bool speaksFor(const WholeStage& stage, const Eigen::VectorXd& before, const Eigen::VectorXd& after,
-               Proof proof);
+/// Whether the residual after a step, raw, speaks for it against the one before: less is left. Runs
+/// of robots on their feet part by chance as soon as any number moves, which is more than most
+/// steps change: there a step does, too, after which the numbers can explain less than a quarter.
+bool speaksFor(const WholeTask& task, const WholeStage& stage, const Eigen::VectorXd& before,
+               const Eigen::VectorXd& after);
 
-/// Whether many runs of the model after the step speak for it; of limbs that hang, by what is left.
-bool isBorneOut(const WholeTask& task, const WholeStage& stage, const WholeStep& step, Proof proof);
+/// Learns the step errors of the model with these numbers, and keeps them if its many runs speak
+/// for these; false: they do not. By step errors of other numbers a walk whose commands are 3 ms
+/// late, one and a half coarse steps, was told as 2.2 ms late.
+bool tryNumbers(const WholeTask& task, const WholeStage& stage, const WholeModel& model);
 
-/// Takes that step if it is no further than chance goes and short, or borne out by either.
+/// Takes that step if it is no further than chance goes, and short or spoken for.
 void refine(const WholeTask& task, const WholeStage& stage, WholeFit& fit);
 
 }  // namespace nao::validation

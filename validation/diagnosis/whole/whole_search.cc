@@ -23,6 +23,12 @@ constexpr double kLessNoise = 0.8;
 constexpr double kLeastOfAll = 0.02;
 constexpr int kMostSteps = 3;  // of numbers further than chance goes
 
+std::vector<std::size_t> causesOf(const WholeModel& model) {
+  std::vector<std::size_t> causes;
+  for (const WholeChosen& one : model) causes.push_back(one.cause);
+  return causes;
+}
+
 }  // namespace
 
 WholeSearch::WholeSearch(const WholeTask& task, const WholeSpread& spread, Progress progress,
@@ -48,9 +54,11 @@ WholeVerdict WholeSearch::run() {
 }
 
 void WholeSearch::enter(const WholeFit& fit) {
+  const bool new_causes = causesOf(fit.model) != causesOf(fit_.model);
   fit_ = fit;
   if (fit_.jacobian.cols() == 0) fit_.jacobian.resize(task_.data->size(), 0);
   learnNoise();
+  if (new_causes) learnStepErrors(task_, fit_.model);
   const std::string what = fit_.model.empty() ? "looking at every cause" : "simulating the model";
   tell(what + " and what it shows by chance");
   stage_ = std::make_unique<WholeStage>(task_, fit_.model, fit_.jacobian, stage_.get());
@@ -72,10 +80,10 @@ void WholeSearch::learnNoise() {
 
 // Fits of few runs leave numbers where their chance is least, and what that leaves of a large cause
 // passes for a second one: further than chance goes, steps are taken that many runs bear out.
-void WholeSearch::walkOn(Proof proof) {
+void WholeSearch::walkOn() {
   for (int i = 0; i < kMostSteps; ++i) {
     const WholeStep step = stepOf(task_, *stage_, fit_);
-    if (step.length <= kByChance || !isBorneOut(task_, *stage_, step, proof)) return;
+    if (step.length <= kByChance || !tryNumbers(task_, *stage_, step.to)) return;
     WholeFit moved;
     moved.model = step.to;
     addJacobian(task_, moved, stage_.get());
@@ -83,10 +91,9 @@ void WholeSearch::walkOn(Proof proof) {
   }
 }
 
-// Only now as far as the numbers themselves ask: chance that is larger there would be taken for one
-// more cause. The last step, of which the stage knows nothing, is taken once.
+// The last step, of which the stage knows nothing, is taken once.
 void WholeSearch::settle() {
-  walkOn(Proof::LessOfItsOwn);
+  walkOn();
   refine(task_, *stage_, fit_);
 }
 
@@ -135,7 +142,7 @@ void WholeSearch::take(const std::vector<Candidate>& ranking, const Candidate& o
   WholeFit next = one.fit;
   addJacobian(task_, next, stage_.get());
   enter(next);
-  walkOn(Proof::LessIsLeft);
+  walkOn();
 }
 
 // The last cause was chosen under a noise that had to stand for what it explains, in which its

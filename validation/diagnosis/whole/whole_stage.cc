@@ -92,6 +92,11 @@ WholePool lookRuns(const WholeTask& task, const WholeModel& model, int jobs) {
                              number(WholeStream::Base), task.noise, jobs, Pace::Coarse);
 }
 
+void learnStepErrors(const WholeTask& task, const WholeModel& model) {
+  task.data->learnStepErrors(settingsOf(*task.causes, model), task.effort.step_runs, task.noise,
+                             task.jobs);
+}
+
 Eigen::VectorXd manyRunsResidual(const WholeTask& task, const WholeModel& model) {
   return residual(*task.data, meansOf(simulate(task, model, WholeStream::Base)));
 }

@@ -31,7 +31,7 @@ inline constexpr long kNoLimit = 1000000000;
 
 /// How the search of one level simulates.
 struct WholeTask {
-  const WholeData* data = nullptr;
+  WholeData* data = nullptr;
   const std::vector<PlacedCause>* causes = nullptr;
   WholeEffort effort;
   NoiseParts noise;
@@ -44,6 +44,9 @@ struct WholeTask {
 WholePool fitRuns(const WholeTask& task, const WholeModel& model, Blocks blocks, int jobs);
 WholePool slopeRuns(const WholeTask& task, const WholeModel& model);  // two or more of each
 WholePool lookRuns(const WholeTask& task, const WholeModel& model, int jobs);
+
+/// From now on the data make up for what coarse runs of this model are off by.
+void learnStepErrors(const WholeTask& task, const WholeModel& model);
 
 /// Measured less simulated means, stacked, by as many runs as a stage makes of its own model.
 Eigen::VectorXd manyRunsResidual(const WholeTask& task, const WholeModel& model);

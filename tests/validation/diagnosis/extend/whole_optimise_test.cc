@@ -47,6 +47,17 @@ TEST(WholeOptimise, FindsTheChosenNumbersOfARobotOnItsFeet) {
   EXPECT_EQ(found.select_before, 0);  // there are no such runs
 }
 
+// One and a half coarse steps.
+TEST(WholeOptimise, ADelayBetweenCoarseStepsIsToldAsItIs) {
+  const auto model = test::robot("nao_h21_v33");
+  const LogSet set = squats({{"command_latency", {{"delay", 0.003}}, {}, ""}});
+  const auto free = parseFree("command_latency.delay", *model, true);
+  const FoundNumber found = optimiseWhole(set, model, free, {2, 6, 0}).numbers[0].found;
+  EXPECT_NEAR(found.deviation, 0.003, 0.00015);
+  EXPECT_LT(found.low, 0.003);
+  EXPECT_GT(found.high, 0.003);
+}
+
 TEST(WholeOptimise, TellsANumberThatTheSetDoesNotShow) {
   const auto model = test::robot("nao_h21_v33");
   const auto free = parseFree("stribeck_friction.speed", *model, true);  // without its torque

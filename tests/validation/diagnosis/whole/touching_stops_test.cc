@@ -77,7 +77,7 @@ TEST_F(StoppedAnkle, TurnsAboutItsPlace) {
   for (const PlacedCause& one : limbCauses(*model_, "LLeg", simulator.joints())) {
     if (one.cause.id == "coupled_stop.lower" && one.place == "LAnkleRoll") causes.push_back(one);
   }
-  const WholeData data(simulator, simulator.joints(), false);
+  WholeData data(simulator, simulator.joints(), false);
   const WholeTask task{&data, &causes, {}, {}, 1};
   WholeFit fit;
   fit.model = {{0, {kSlope, 0}}};
