@@ -36,8 +36,8 @@ struct WholeVerdict {
 
 /// The search for the causes at the limb or robot level: forward selection from looks, fits by
 /// ensembles, a threshold from null sets, held-out blocks, elimination and swap, rivals, and what
-/// remains. Noise, and what coarse runs are off by, is learned anew with every cause; where that
-/// leaves less of it, those that were fitted beside the cause are compared with it again.
+/// remains. Noise, and what coarse runs are off by, are learned anew with every cause; where less
+/// noise is left, those that were fitted beside the cause are compared with it again.
 class WholeSearch {
  public:
   using Progress = std::function<void(const std::string&)>;
