@@ -4,6 +4,7 @@
 #include <map>
 
 #include "validation/diagnosis/joint/by_chance.h"
+#include "validation/diagnosis/joint/number_moves.h"
 #include "validation/diagnosis/whole/whole_numbers.h"
 #include "validation/diagnosis/whole/whole_search.h"
 
@@ -61,6 +62,15 @@ std::vector<FoundNumber> WholeSearch::numbersOf(const WholeChosen& chosen) const
   return numbers;
 }
 
+// As at the joint level such a cause need be of interest with the shape that it has alone.
+bool WholeSearch::isOnlyOneOfInterest(std::size_t place) const {
+  const auto isOfInterest = [&](const WholeChosen& one) {
+    return std::abs(one.x[0]) >= placed(one.cause).cause.free[0].smallest;
+  };
+  return isOfInterest(fit_.model[place]) &&
+         std::count_if(fit_.model.begin(), fit_.model.end(), isOfInterest) == 1;
+}
+
 PlacedFinding WholeSearch::finding(std::size_t place, const Eigen::MatrixXd& draws) const {
   const WholeChosen& chosen = fit_.model[place];
   const PlacedCause& cause = placed(chosen.cause);
@@ -68,16 +78,8 @@ PlacedFinding WholeSearch::finding(std::size_t place, const Eigen::MatrixXd& dra
   found.cause = cause.cause.id;
   found.effect = cause.cause.effect;
   found.numbers = numbersOf(chosen);
-  Eigen::Index row = 0;
-  for (std::size_t before = 0; before < place; ++before) {
-    row += static_cast<Eigen::Index>(fit_.model[before].x.size());
-  }
-  for (FoundNumber& number : found.numbers) {
-    const Eigen::VectorXd drawn = draws.row(row++);
-    const std::vector<double> values(drawn.data(), drawn.data() + drawn.size());
-    number.low = number.deviation - quantile(values, 0.95);
-    number.high = number.deviation - quantile(values, 0.05);
-  }
+  Eigen::Index row = firstNumberOf(fit_.model, place);
+  for (FoundNumber& number : found.numbers) number = within(number, draws.row(row++));
   const Accepted& accepted = accepted_[place];
   found.gain = accepted.gain;
   found.share = std::min(1.0, accepted.share);
@@ -85,8 +87,12 @@ PlacedFinding WholeSearch::finding(std::size_t place, const Eigen::MatrixXd& dra
   found.folds_better = accepted.folds_better;
   found.held_out_gain = accepted.held_out;
   found.one_motion_only = accepted.folds == 0 || isOfOneMotion();
-  const FoundNumber& size = found.numbers[0];
   found.rivals = accepted.rivals;
+  if (found.numbers.size() > 1 && isOnlyOneOfInterest(place)) {
+    const WholeFit size = sizeOf(fit_, place);
+    found.as_shaped = {within(found.numbers[0], drawNumbers(task_, *stage_, size).row(0))};
+  }
+  const FoundNumber& size = found.as_shaped.empty() ? found.numbers[0] : found.as_shaped[0];
   const double smallest = cause.cause.free[0].smallest;
   found.small = mayBeSmall(
       size.low, size.high,

@@ -101,6 +101,21 @@ Eigen::MatrixXd drawNumbers(const WholeTask& task, const WholeStage& stage, cons
   return draws;
 }
 
+Eigen::Index firstNumberOf(const WholeModel& model, std::size_t place) {
+  Eigen::Index first = 0;
+  for (std::size_t i = 0; i < place; ++i) first += static_cast<Eigen::Index>(model[i].x.size());
+  return first;
+}
+
+WholeFit sizeOf(const WholeFit& fit, std::size_t place) {
+  const Eigen::Index column = firstNumberOf(fit.model, place);
+  WholeFit size;
+  size.model = {{fit.model[place].cause, {fit.model[place].x[0]}}};
+  size.jacobian = fit.jacobian.col(column);
+  size.chance = fit.chance.col(column);
+  return size;
+}
+
 WholeStep stepOf(const WholeTask& task, const WholeStage& stage, const WholeFit& fit) {
   WholeStep all{fit.model, 0};
   if (fit.jacobian.cols() == 0 || stage.nulls().size() < 2) return all;

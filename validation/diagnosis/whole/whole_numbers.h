@@ -11,6 +11,11 @@ namespace nao::validation {
 /// numbers by more than in null sets, that: what the model lacks makes each want another number.
 Eigen::MatrixXd drawNumbers(const WholeTask& task, const WholeStage& stage, const WholeFit& fit);
 
+/// The first number of the cause at `place` alone, with its slope: all others stay as they are.
+WholeFit sizeOf(const WholeFit& fit, std::size_t place);
+/// Where the numbers of the cause at `place` begin among those of all.
+Eigen::Index firstNumberOf(const WholeModel& model, std::size_t place);
+
 /// To where the many runs of a model's own stage ask its numbers to be: its fit was made by few.
 struct WholeStep {
   WholeModel to;

@@ -85,6 +85,7 @@ class WholeSearch {
   void judge(WholeVerdict& verdict) const;
   void describe(WholeVerdict& verdict) const;
   bool isOfOneMotion() const;
+  bool isOnlyOneOfInterest(std::size_t place) const;
   PlacedFinding finding(std::size_t place, const Eigen::MatrixXd& draws) const;
   std::string signature() const;
 

@@ -113,6 +113,23 @@ TEST_F(WholeNumbersTest, MayBeOffByWhatEqualRobotsDifferBy) {
   EXPECT_NEAR(varianceOf(drawNumbers(task_, stage, fit)) / (chance + spread * spread), 1, 0.3);
 }
 
+// As how steep a stop is and where it begins, of which the sum alone shows.
+TEST_F(WholeNumbersTest, ThatUndoEachOtherAreKnownWhereTheOtherStays) {
+  WholeFit fit = fitAt(kTruth);
+  const WholeStage stage(task_, fit.model, fit.jacobian);
+  const WholeFit lone = fit;
+  const double size = fit.jacobian.norm();
+  fit.model[0].x.push_back(0);
+  fit.jacobian.conservativeResize(Eigen::NoChange, 2);
+  fit.jacobian.col(1) = fit.jacobian.col(0) + 0.1 * size * stage.nulls()[0].normalized();
+  fit.chance.conservativeResize(Eigen::NoChange, 2);
+  fit.chance.col(1).setZero();
+  const WholeFit alone = sizeOf(fit, 0);
+  EXPECT_EQ(drawNumbers(task_, stage, alone), drawNumbers(task_, stage, lone));
+  EXPECT_GT(varianceOf(drawNumbers(task_, stage, fit).row(0)),
+            4 * varianceOf(drawNumbers(task_, stage, alone)));
+}
+
 // 200 draws of a normal distribution tell its SD to a twentieth; what signals disagree by beside it
 // makes less of it.
 TEST_F(WholeNumbersTest, MayBeOffByWhatLawsLeaveOut) {
