@@ -15,7 +15,6 @@ namespace {
 
 constexpr int kMostFits = 4;     // one after another, as long as they gain
 constexpr double kNothing = 1;   // [nats] that a further fit gains at most
-constexpr int kMostSteps = 3;    // of numbers further than chance goes
 constexpr int kEachMotion = 16;  // runs that an error is told by
 
 /// The numbers to fit, as causes of the whole robot.
@@ -116,10 +115,10 @@ WholeFit fitTillDone(const WholeTask& task, const WholeStage& stage, const Whole
 // To where many runs ask the numbers to be.
 std::unique_ptr<WholeStage> walkOn(const WholeTask& task, WholeFit& fit) {
   auto stage = std::make_unique<WholeStage>(task, fit.model, fit.jacobian);
-  for (int i = 0; i < kMostSteps; ++i) {
-    WholeStep step = stepOf(task, *stage, fit);
-    if (step.length <= kByChance || !tryNumbers(task, *stage, step.to)) break;
-    fit.model = std::move(step.to);
+  for (int i = 0; i < kMostFarSteps; ++i) {
+    auto to = farStep(task, *stage, fit);
+    if (!to) break;
+    fit.model = std::move(*to);
     addJacobian(task, fit, stage.get());
     stage = std::make_unique<WholeStage>(task, fit.model, fit.jacobian);
   }

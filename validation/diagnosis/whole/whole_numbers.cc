@@ -146,12 +146,15 @@ bool speaksFor(const WholeTask& task, const WholeStage& stage, const Eigen::Vect
   return own(to) < kOwnLeft * own(from);
 }
 
-bool tryNumbers(const WholeTask& task, const WholeStage& stage, const WholeModel& model) {
+std::optional<WholeModel> farStep(const WholeTask& task, const WholeStage& stage,
+                                  const WholeFit& fit) {
+  WholeStep step = stepOf(task, stage, fit);
+  if (step.length <= kByChance) return std::nullopt;
   const StepErrors before = task.data->stepErrors();
-  learnStepErrors(task, model);
-  if (speaksFor(task, stage, stage.raw(), manyRunsResidual(task, model))) return true;
+  learnStepErrors(task, step.to);
+  if (speaksFor(task, stage, stage.raw(), manyRunsResidual(task, step.to))) return step.to;
   task.data->makeUpFor(before);
-  return false;
+  return std::nullopt;
 }
 
 void refine(const WholeTask& task, const WholeStage& stage, WholeFit& fit) {

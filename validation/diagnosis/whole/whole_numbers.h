@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "validation/diagnosis/whole/whole_fit.h"
 
 namespace nao::validation {
@@ -31,10 +33,13 @@ WholeStep stepOf(const WholeTask& task, const WholeStage& stage, const WholeFit&
 bool speaksFor(const WholeTask& task, const WholeStage& stage, const Eigen::VectorXd& before,
                const Eigen::VectorXd& after);
 
-/// Learns the step errors of the model with these numbers, and keeps them if its many runs speak
-/// for these; false: they do not. By step errors of other numbers a walk whose commands are 3 ms
-/// late, one and a half coarse steps, was told as 2.2 ms late.
-bool tryNumbers(const WholeTask& task, const WholeStage& stage, const WholeModel& model);
+/// Where the numbers are asked to be, if that is further than chance goes and many runs of the model
+/// there speak for it by its own step errors, which the data keep then; none: they stay. By step
+/// errors of other numbers a walk whose commands are 3 ms late, one and a half coarse steps, was
+/// told as 2.2 ms late.
+std::optional<WholeModel> farStep(const WholeTask& task, const WholeStage& stage,
+                                  const WholeFit& fit);
+inline constexpr int kMostFarSteps = 3;  // one after another
 
 /// Takes that step if it is no further than chance goes, and short or spoken for.
 void refine(const WholeTask& task, const WholeStage& stage, WholeFit& fit);

@@ -21,7 +21,6 @@ constexpr double kLessNoise = 0.8;
 // Of what was wrong at first, that a further cause must explain at least: a replay renders a gross
 // effect to about a tenth, which leaves a hundredth of its misfit to causes that are none.
 constexpr double kLeastOfAll = 0.02;
-constexpr int kMostSteps = 3;  // of numbers further than chance goes
 
 std::vector<std::size_t> causesOf(const WholeModel& model) {
   std::vector<std::size_t> causes;
@@ -81,11 +80,11 @@ void WholeSearch::learnNoise() {
 // Fits of few runs leave numbers where their chance is least, and what that leaves of a large cause
 // passes for a second one: further than chance goes, steps are taken that many runs bear out.
 void WholeSearch::walkOn() {
-  for (int i = 0; i < kMostSteps; ++i) {
-    const WholeStep step = stepOf(task_, *stage_, fit_);
-    if (step.length <= kByChance || !tryNumbers(task_, *stage_, step.to)) return;
+  for (int i = 0; i < kMostFarSteps; ++i) {
+    auto to = farStep(task_, *stage_, fit_);
+    if (!to) return;
     WholeFit moved;
-    moved.model = step.to;
+    moved.model = std::move(*to);
     addJacobian(task_, moved, stage_.get());
     enter(moved);
   }
