@@ -13,7 +13,7 @@ namespace {
 constexpr double kTurns =
     0.25;  // by which neighbours of the row part over a motion; a half shows nothing
 constexpr double kLargest = 0.12;  // [s] further than any bus or script holds: free choice
-constexpr std::size_t kBest = 4;   // sizes that all motions are asked about
+constexpr std::size_t kBest = 4;   // sizes of either kind that all motions are asked about
 constexpr int kInStep = 4;         // ticks until a clock meets a command again, at most
 constexpr double kFirst = 0.25;    // of the width of a beat, by which a size goes first,
 constexpr int kNarrowed = 4;       // by half each time
@@ -31,9 +31,10 @@ class BeatRow {
     residual_ = white(stage_.raw().segment(span_->offset, span_->size()));
   }
 
-  double gain(double x) const {
+  TriedSize at(double x) const {
     const Eigen::VectorXd change = white(predictionWith(x, *span_) - before_);
-    return change.dot(residual_) - change.squaredNorm() / 2;
+    const Explained explained({change, change}, residual_);
+    return {x, explained.gain(), explained.gain(std::max(0.0, explained.bestScale()))};
   }
   const MotionSpan& span() const { return *span_; }
 
@@ -94,21 +95,28 @@ double beatWidth(const JointData& data, double x) {
   return kTurns * x * x / longest;
 }
 
+std::vector<double> bestSizes(std::vector<TriedSize> tried) {
+  std::vector<double> best;
+  for (const auto gain : {&TriedSize::as_it_is, &TriedSize::scaled}) {
+    std::stable_sort(tried.begin(), tried.end(),
+                     [gain](const TriedSize& a, const TriedSize& b) { return a.*gain > b.*gain; });
+    for (std::size_t i = 0; i < std::min(kBest, tried.size()); ++i) {
+      if (std::find(best.begin(), best.end(), tried[i].x) == best.end()) best.push_back(tried[i].x);
+    }
+  }
+  return best;
+}
+
 std::vector<double> beatingSizes(Ensemble& ensemble, const Stage& stage,
                                  const std::vector<Cause>& causes, std::size_t cause) {
   const FreeNumber& size = causes[cause].free[0];
   const BeatRow row(ensemble, stage, causes, cause, size.starts.front());
-  std::vector<std::pair<double, double>> seen;  // gain, size
+  std::vector<TriedSize> tried;
   for (const double rate : ratesOf(size, row.span())) {
     if (ensemble.spent()) break;
-    seen.emplace_back(row.gain(1 / rate), 1 / rate);
+    tried.push_back(row.at(1 / rate));
   }
-  const std::size_t kept = std::min(kBest, seen.size());
-  std::partial_sort(seen.begin(), seen.begin() + static_cast<std::ptrdiff_t>(kept), seen.end(),
-                    std::greater<>());
-  std::vector<double> best;
-  for (std::size_t i = 0; i < kept; ++i) best.push_back(seen[i].second);
-  return best;
+  return bestSizes(std::move(tried));
 }
 
 BeatSize bestBeside(BeatSize start, double beat_width, const std::function<double(double)>& left) {

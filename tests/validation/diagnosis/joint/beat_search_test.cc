@@ -1,5 +1,6 @@
 #include "validation/diagnosis/joint/beat_search.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -51,6 +52,20 @@ TEST(BeatSearch, MeetsAHoldInStepWithTheCommands) {
   const Proposed proposed = proposedFor(0.0175);
   ASSERT_FALSE(proposed.sizes.empty());
   EXPECT_NEAR(proposed.sizes.front(), 0.0175, 1e-9);
+}
+
+// About what an ankle's roll held for 14.925 ms showed, in ms.
+TEST(BeatSearch, ProposesWhatExplainsMostIfScaledToo) {
+  const std::vector<double> best = bestSizes({{5.0130, -547, 60},
+                                              {10.0000, -79, 1},
+                                              {10.0021, -155, 3},
+                                              {10.0083, -365, 10},
+                                              {14.7066, -3600, 330},
+                                              {14.9117, -1459, 224},
+                                              {14.9256, -1023, 255}});
+  EXPECT_EQ(best.front(), 10.0000);
+  EXPECT_EQ(std::count(best.begin(), best.end(), 14.9256), 1);
+  EXPECT_EQ(best.size(), 7u);  // none twice
 }
 
 // Coarse runs had found a hold of 10.703 ms as one of 10.7016, where a beat is 0.0047 ms wide.
