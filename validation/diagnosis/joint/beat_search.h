@@ -14,10 +14,10 @@ struct TriedSize {
   double x = 0, as_it_is = 0, scaled = 0;
 };
 
-/// Those that explain most as they are, best first, then those that do if scaled: where single runs
-/// are shaken by more than the mean of the measured ones, sizes that do next to nothing seem the
-/// best. An ankle's roll held for 14.925 ms lost 1023 nats by a run of that size, 79 by one in step
-/// with the commands; scaled, it was second of 3144.
+/// Those that explain most as they are, best first, then those that do if scaled: where a single
+/// run of any clock that does something is worse than none, sizes that do next to nothing are the
+/// best as they are. An ankle's roll held for 14.925 ms lost 1023 nats by a run of that size, 79 by
+/// one in step with the commands; scaled, it was second of 3144.
 std::vector<double> bestSizes(std::vector<TriedSize> tried);
 
 /// The best sizes of a cause that beats, by one motion: the one that shows the cause most. Two

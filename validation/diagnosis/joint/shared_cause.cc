@@ -16,11 +16,10 @@ constexpr double kPlausible = 0.5;  // of the same, by the best look: else joint
 // Of the same: less never becomes the best fit. A filter of 4 ms is looked at by 15, from where no
 // straight line leads to it.
 constexpr double kHopeless = 0.04;
-constexpr int kTried = 5;              // shared causes that are fitted
-constexpr std::size_t kProposing = 2;  // joints
-constexpr int kRounds = 4;             // of exact steps
-constexpr double kSettled = 0.2;       // of the interval: a step that is no longer worth another
-constexpr double kSame = 0.03;         // of the gain: rivals within it are not told apart
+constexpr int kTried = 5;         // shared causes that are fitted
+constexpr int kRounds = 4;        // of exact steps
+constexpr double kSettled = 0.2;  // of the interval: a step that is no longer worth another
+constexpr double kSame = 0.03;    // of the gain: rivals within it are not told apart
 
 // The parabola of nats that a look is worth at a scale: along * s - square * s^2 / 2, all joints.
 struct SharedLook {
@@ -83,28 +82,20 @@ SharedCause fitShared(JointCrowd& joints, const SharedLook& look, double critica
   return bestOf(fit, look.cause, critical);
 }
 
-// Those that are furthest off.
-std::vector<std::size_t> worstOf(const JointCrowd& joints, std::size_t most) {
-  std::vector<std::size_t> all(joints.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  std::stable_sort(all.begin(), all.end(), [&](std::size_t a, std::size_t b) {
-    return joints.looks()[a].square > joints.looks()[b].square;
-  });
-  all.resize(std::min(most, all.size()));
-  return all;
-}
-
-// Clocks that beat with that of the log: few joints propose sizes, as one may be shaken by much
-// else, such as an ankle's roll by a stop that hangs on its pitch.
+// Clocks that beat with that of the log: the joint that is furthest off proposes sizes.
 void addBeats(JointCrowd& joints, double critical, std::vector<SharedCause>& fits) {
-  const std::vector<std::size_t> worst = worstOf(joints, kProposing);
+  std::size_t worst = 0;
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    if (joints.looks()[j].square > joints.looks()[worst].square) worst = j;
+  }
   const auto& causes = joints.causes();
   for (std::size_t c = 0; c < causes.size(); ++c) {
     if (!causes[c].beats || causes[c].scope != Scope::Robot) continue;
+    const std::vector<double> sizes = joints.beatingSizesOf(worst, c);
+    if (sizes.empty()) continue;
     SharedFit fit = fitOf(joints, c);
-    for (const std::size_t joint : worst) fit.tryAll(joints.beatingSizesOf(joint, c));
-    if (fit.isEmpty()) continue;
-    fit.halve(beatWidth(joints.data(worst.front()), fit.best()));
+    fit.tryAll(sizes);
+    fit.halve(beatWidth(joints.data(worst), fit.best()));
     fits.push_back(bestOf(fit, c, critical));
   }
 }

@@ -18,7 +18,6 @@ class SharedFit {
   /// Goes to either side of the best by `width`, then by half of that and so on.
   void halve(double width);
 
-  bool isEmpty() const { return tried_.empty(); }
   double best() const;
   /// Of each joint, at the best.
   const std::vector<double>& gains() const { return tried_.at(best()); }

@@ -54,7 +54,7 @@ TEST(BeatSearch, MeetsAHoldInStepWithTheCommands) {
   EXPECT_NEAR(proposed.sizes.front(), 0.0175, 1e-9);
 }
 
-// About what an ankle's roll held for 14.925 ms showed, in ms.
+// About what an ankle's roll held for 14.925 ms showed, in ms; what it did not is free choice.
 TEST(BeatSearch, ProposesWhatExplainsMostIfScaledToo) {
   const std::vector<double> best = bestSizes({{5.0130, -547, 60},
                                               {10.0000, -79, 1},
