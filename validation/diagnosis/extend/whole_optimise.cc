@@ -6,9 +6,9 @@
 #include "core/check.h"
 #include "validation/diagnosis/maths/block_bootstrap.h"
 #include "validation/diagnosis/replay/whole_replay.h"
-#include "validation/diagnosis/rig/merge_effects.h"
 #include "validation/diagnosis/whole/whole_numbers.h"
 #include "validation/diagnosis/whole/whole_spread.h"
+#include "validation/diagnosis/rig/merge_effects.h"
 
 namespace nao::validation {
 namespace {
@@ -39,8 +39,8 @@ class Numbers {
   const std::vector<PlacedCause>& causes() const { return causes_; }
 
   /// As the robot is, or with every effect on as its catalogue has it.
-  WholeModel start(bool on) const {
-    WholeModel model;
+  CauseList start(bool on) const {
+    CauseList model;
     for (std::size_t c = 0; c < causes_.size(); ++c) {
       model.push_back({c, {}});
       for (const FreeNumber& number : causes_[c].cause.free) {
@@ -53,9 +53,9 @@ class Numbers {
   }
 
   /// In the order of the model's numbers.
-  std::vector<OptimisedNumber> list(const WholeModel& model, const Eigen::MatrixXd& draws) const {
+  std::vector<OptimisedNumber> list(const CauseList& model, const Eigen::MatrixXd& draws) const {
     std::vector<OptimisedNumber> all;
-    for (const WholeChosen& one : model) {
+    for (const Chosen& one : model) {
       for (std::size_t i = 0; i < one.x.size(); ++i) {
         const Eigen::VectorXd moves = draws.row(static_cast<Eigen::Index>(all.size()));
         all.push_back(numberOf(causes_[one.cause], i, one.x[i], moves));
@@ -101,7 +101,7 @@ class Numbers {
   std::vector<PlacedCause> causes_;
 };
 
-WholeFit fitTillDone(const WholeTask& task, const WholeStage& stage, const WholeModel& start) {
+WholeFit fitTillDone(const WholeTask& task, const WholeStage& stage, const CauseList& start) {
   WholeFit best = fitModel(task, stage, start, task.jobs);
   for (int i = 1; i < kMostFits; ++i) {
     WholeFit next = fitModel(task, stage, best.model, task.jobs);
@@ -137,7 +137,9 @@ void requireShown(const Eigen::MatrixXd& change, const std::vector<OptimisedNumb
 
 // A fit takes long: first, whether anything moves as the robot is or with the effects on.
 void requireShownAnywhere(const WholeTask& task, const Numbers& numbers, const LogSet& set) {
-  WholeFit off{numbers.start(false), {}, {}, {}, 0}, on{numbers.start(true), {}, {}, {}, 0};
+  WholeFit off, on;
+  off.model = numbers.start(false);
+  on.model = numbers.start(true);
   addJacobian(task, off);
   addJacobian(task, on);
   requireShown(off.jacobian.cwiseAbs() + on.jacobian.cwiseAbs(),

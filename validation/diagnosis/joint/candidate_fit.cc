@@ -221,13 +221,13 @@ void setSlope(ModelFit& fit, Eigen::Index column, const Halves& slope) {
   fit.chance.col(column) = (slope.first - slope.second) / 2;
 }
 
-SlopeSteps stepsOf(const ModelFit& fit, const Stage& stage) {
+SlopeSteps stepsOf(const ModelSlopes& fit, const Stage& stage) {
   std::vector<Eigen::Index> all(static_cast<std::size_t>(fit.jacobian.cols()));
   std::iota(all.begin(), all.end(), Eigen::Index{0});
   return stepsOf(fit, stage, all);
 }
 
-SlopeSteps stepsOf(const ModelFit& fit, const Stage& stage,
+SlopeSteps stepsOf(const ModelSlopes& fit, const Stage& stage,
                    const std::vector<Eigen::Index>& columns) {
   const auto whitened = [&](const Eigen::MatrixXd& of) {
     Eigen::MatrixXd white(stage.fitSize(), static_cast<Eigen::Index>(columns.size()));

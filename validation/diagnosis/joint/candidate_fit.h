@@ -3,18 +3,16 @@
 #include <limits>
 #include <vector>
 
+#include "validation/diagnosis/causes/model_slopes.h"
 #include "validation/diagnosis/joint/stage.h"
 #include "validation/diagnosis/maths/slope_steps.h"
 
 namespace nao::validation {
 
 /// A model fitted to a joint's fit motions, all of its numbers at once.
-struct ModelFit {
-  CauseList model;
-  Halves change;             // of the prediction, from the stage's model, all motions
-  Eigen::MatrixXd jacobian;  // of the prediction, all motions, a column per number
-  Eigen::MatrixXd chance;    // in it: half of what two halves of the runs differ by, alike
-  double gain = 0;           // over the stage's model [nats]
+struct ModelFit : ModelSlopes {
+  Halves change;    // of the prediction, from the stage's model, all motions
+  double gain = 0;  // over the stage's model [nats]
 };
 
 /// A cause added to a stage's model, the model's own numbers following linearly.
@@ -45,8 +43,8 @@ ModelFit fitFully(Ensemble& ensemble, const JointData& data, const Stage& stage,
 void setSlope(ModelFit& fit, Eigen::Index column, const Halves& slope);
 
 /// Steps along a fit's sensitivities, whitened by the stage; all numbers, or those in `columns`.
-SlopeSteps stepsOf(const ModelFit& fit, const Stage& stage);
-SlopeSteps stepsOf(const ModelFit& fit, const Stage& stage,
+SlopeSteps stepsOf(const ModelSlopes& fit, const Stage& stage);
+SlopeSteps stepsOf(const ModelSlopes& fit, const Stage& stage,
                    const std::vector<Eigen::Index>& columns);
 
 /// Moves the numbers of a fit by one Gauss-Newton step, as `raw`, the residual that was really left

@@ -91,7 +91,8 @@ JointVerdict JointReport::verdict() {
 void JointReport::addFindings(JointVerdict& verdict) {
   const Eigen::VectorXd angle = unroundedAngle();
   const Eigen::MatrixXd moves = movesOf(fit_, angle);
-  const auto alone = onlyOneOfInterest(fit_.model, causes_);
+  const auto alone = onlyOneOfInterest(
+      fit_.model, [&](std::size_t cause) { return causes_[cause].free[0].smallest; });
   const double sure = verdict.remains() ? kSure : kSureAlone;
   Eigen::Index column = 0;
   for (std::size_t i = 0; i < model_.found().size(); ++i) {
@@ -119,7 +120,7 @@ Eigen::VectorXd JointReport::unroundedAngle() {
 }
 
 // A column per number of the fit: how far off it may be, drawn once per null set.
-Eigen::MatrixXd JointReport::movesOf(const ModelFit& fit, const Eigen::VectorXd& angle) const {
+Eigen::MatrixXd JointReport::movesOf(const ModelSlopes& fit, const Eigen::VectorXd& angle) const {
   Eigen::MatrixXd moves = reestimated(stage_, fit);
   // What has no name pulls at the numbers as noise of its size would.
   moves *= std::max(1.0, model_.misfit(model_.left()));

@@ -31,7 +31,7 @@ class JointReport {
   void addFindings(JointVerdict& verdict);
   Finding findingOf(std::size_t place) const;
   Eigen::VectorXd unroundedAngle();
-  Eigen::MatrixXd movesOf(const ModelFit& fit, const Eigen::VectorXd& angle) const;
+  Eigen::MatrixXd movesOf(const ModelSlopes& fit, const Eigen::VectorXd& angle) const;
   std::vector<ProfilePoint> profileOf(std::size_t place, const FoundNumber& number);
   Eigen::VectorXd leftAtFit() const;
   std::vector<Adjustment> adjustments() const;

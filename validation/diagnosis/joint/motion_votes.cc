@@ -14,7 +14,7 @@ Eigen::VectorXd varianceOfSum(const Eigen::MatrixXd& votes) {
 
 }  // namespace
 
-Eigen::MatrixXd votesOf(const JointData& data, const Stage& stage, const ModelFit& fit,
+Eigen::MatrixXd votesOf(const JointData& data, const Stage& stage, const ModelSlopes& fit,
                         const SlopeSteps& steps, const Eigen::VectorXd& raw) {
   const Eigen::VectorXd best = steps(stage.whitenFit(raw));
   const Eigen::VectorXd left = stage.whitenFit(raw - fit.jacobian * best);

@@ -13,7 +13,7 @@ class JointData;
 /// Where each fit motion by itself would move the numbers that fit a residual `raw` best: a row
 /// per motion, a column per number; columns add up to nothing.
 /// `steps`: stepsOf the fit.
-Eigen::MatrixXd votesOf(const JointData& data, const Stage& stage, const ModelFit& fit,
+Eigen::MatrixXd votesOf(const JointData& data, const Stage& stage, const ModelSlopes& fit,
                         const SlopeSteps& steps, const Eigen::VectorXd& raw);
 
 /// The variance of each number that motions tell by disagreeing more than those of null sets do:

@@ -13,30 +13,7 @@ constexpr int kHarmonics = 3;  // of a sawtooth: 83 % of its variance
 
 }  // namespace
 
-std::optional<std::size_t> onlyOneOfInterest(const CauseList& model,
-                                             const std::vector<Cause>& causes) {
-  std::optional<std::size_t> only;
-  for (std::size_t i = 0; i < model.size(); ++i) {
-    if (std::abs(model[i].x[0]) < causes[model[i].cause].free[0].smallest) continue;
-    if (only) return std::nullopt;
-    only = i;
-  }
-  return only;
-}
-
-ModelFit sizeOf(const ModelFit& fit, std::size_t place) {
-  Eigen::Index column = 0;
-  for (std::size_t i = 0; i < place; ++i) {
-    column += static_cast<Eigen::Index>(fit.model[i].x.size());
-  }
-  ModelFit size;
-  size.model = {{fit.model[place].cause, {fit.model[place].x[0]}}};
-  size.jacobian = fit.jacobian.col(column);
-  size.chance = fit.chance.col(column);
-  return size;
-}
-
-Eigen::MatrixXd reestimated(const Stage& stage, const ModelFit& fit) {
+Eigen::MatrixXd reestimated(const Stage& stage, const ModelSlopes& fit) {
   const SlopeSteps steps = stepsOf(fit, stage);
   Eigen::MatrixXd moves(static_cast<Eigen::Index>(stage.nulls().size()), fit.jacobian.cols());
   for (Eigen::Index n = 0; n < moves.rows(); ++n) {
@@ -46,7 +23,7 @@ Eigen::MatrixXd reestimated(const Stage& stage, const ModelFit& fit) {
   return moves;
 }
 
-void addDisagreement(const JointData& data, const Stage& stage, const ModelFit& fit,
+void addDisagreement(const JointData& data, const Stage& stage, const ModelSlopes& fit,
                      const Eigen::VectorXd& left, Eigen::MatrixXd& moves) {
   const SlopeSteps steps = stepsOf(fit, stage);
   std::vector<Eigen::MatrixXd> by_chance;
@@ -62,7 +39,7 @@ void addDisagreement(const JointData& data, const Stage& stage, const ModelFit& 
   }
 }
 
-void addRounding(const JointData& data, const Stage& stage, const ModelFit& fit,
+void addRounding(const JointData& data, const Stage& stage, const ModelSlopes& fit,
                  const Eigen::VectorXd& angle, Eigen::MatrixXd& moves) {
   const Eigen::Index size = data.fitSize();
   const Eigen::ArrayXd count = angle.head(size).array() / data.quantum();

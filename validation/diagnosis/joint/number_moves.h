@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -11,21 +10,14 @@
 
 namespace nao::validation {
 
-/// The place of the one cause whose number is as large as its smallest size of interest; none if
-/// there are several or there is none.
-std::optional<std::size_t> onlyOneOfInterest(const CauseList& model,
-                                             const std::vector<Cause>& causes);
-/// The first number of one cause alone, with its slope: all others stay as they are.
-ModelFit sizeOf(const ModelFit& fit, std::size_t place);
-
 /// By how much the numbers of a fit may be off, a row per null set, a column per number.
 /// What they would have come out as in each null set: one Gauss-Newton step with the sensitivities
 /// of the fit.
-Eigen::MatrixXd reestimated(const Stage& stage, const ModelFit& fit);
+Eigen::MatrixXd reestimated(const Stage& stage, const ModelSlopes& fit);
 
 /// Beyond chance: what is wrong otherwise draws each motion's numbers its own way. `left`: the raw
 /// residual at the fit.
-void addDisagreement(const JointData& data, const Stage& stage, const ModelFit& fit,
+void addDisagreement(const JointData& data, const Stage& stage, const ModelSlopes& fit,
                      const Eigen::VectorXd& left, Eigen::MatrixXd& moves);
 
 /// A joint that rests reads one count all along, at a stop in motion after motion: rounding is one
@@ -33,7 +25,7 @@ void addDisagreement(const JointData& data, const Stage& stage, const ModelFit& 
 /// tells, a prediction that no encoder rounds; where between two counts any of them lies nobody
 /// knows, nor where a model's does that reads the same: of both sawteeth, smeared by how the joint
 /// shakes, the phase is drawn.
-void addRounding(const JointData& data, const Stage& stage, const ModelFit& fit,
+void addRounding(const JointData& data, const Stage& stage, const ModelSlopes& fit,
                  const Eigen::VectorXd& angle, Eigen::MatrixXd& moves);
 
 /// What equal robots differ by in the numbers themselves, and what laws leave out.

@@ -33,7 +33,7 @@ void requireRobots(const std::vector<HandedOn>& all, const std::vector<std::stri
 /// One of them in the search of a higher level.
 struct Provisional {
   HandedOn was;
-  WholeChosen chosen;  // among the causes of that search
+  Chosen chosen;  // among the causes of that search
 };
 
 /// Those that belong to a search of `joints` (of a limb; none: of the whole robot), each among

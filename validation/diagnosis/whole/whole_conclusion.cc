@@ -52,7 +52,7 @@ void WholeSearch::describe(WholeVerdict& verdict) const {
   for (std::size_t i = 0; i < provisional_.size(); ++i) verdict.handed_on.push_back(fateOf(i));
 }
 
-std::vector<FoundNumber> WholeSearch::numbersOf(const WholeChosen& chosen) const {
+std::vector<FoundNumber> WholeSearch::numbersOf(const Chosen& chosen) const {
   std::vector<FoundNumber> numbers;
   for (std::size_t i = 0; i < chosen.x.size(); ++i) {
     const FreeNumber& free = placed(chosen.cause).cause.free[i];
@@ -62,17 +62,8 @@ std::vector<FoundNumber> WholeSearch::numbersOf(const WholeChosen& chosen) const
   return numbers;
 }
 
-// As at the joint level such a cause need be of interest with the shape that it has alone.
-bool WholeSearch::isOnlyOneOfInterest(std::size_t place) const {
-  const auto isOfInterest = [&](const WholeChosen& one) {
-    return std::abs(one.x[0]) >= placed(one.cause).cause.free[0].smallest;
-  };
-  return isOfInterest(fit_.model[place]) &&
-         std::count_if(fit_.model.begin(), fit_.model.end(), isOfInterest) == 1;
-}
-
 PlacedFinding WholeSearch::finding(std::size_t place, const Eigen::MatrixXd& draws) const {
-  const WholeChosen& chosen = fit_.model[place];
+  const Chosen& chosen = fit_.model[place];
   const PlacedCause& cause = placed(chosen.cause);
   Finding found;
   found.cause = cause.cause.id;
@@ -88,12 +79,14 @@ PlacedFinding WholeSearch::finding(std::size_t place, const Eigen::MatrixXd& dra
   found.held_out_gain = accepted.held_out;
   found.one_motion_only = accepted.folds == 0 || isOfOneMotion();
   found.rivals = accepted.rivals;
-  if (found.numbers.size() > 1 && isOnlyOneOfInterest(place)) {
-    const WholeFit size = sizeOf(fit_, place);
-    found.as_shaped = {within(found.numbers[0], drawNumbers(task_, *stage_, size).row(0))};
+  // As at the joint level a lone cause need be of interest with the shape that it has.
+  const auto smallestOf = [&](std::size_t c) { return placed(c).cause.free[0].smallest; };
+  if (found.numbers.size() > 1 && onlyOneOfInterest(fit_.model, smallestOf) == place) {
+    const Eigen::MatrixXd moves = drawNumbers(task_, *stage_, sizeOf(fit_, place));
+    found.as_shaped = {within(found.numbers[0], moves.row(0))};
   }
   const FoundNumber& size = found.as_shaped.empty() ? found.numbers[0] : found.as_shaped[0];
-  const double smallest = cause.cause.free[0].smallest;
+  const double smallest = smallestOf(chosen.cause);
   found.small = mayBeSmall(
       size.low, size.high,
       cause.cause.spread > 0 ? smallestTogether(found.cause, smallest, found.rivals) : smallest);

@@ -30,10 +30,10 @@ void WholeStage::gatherUndeclared() {
 }
 
 void WholeStage::simulateDifferences(std::vector<Eigen::VectorXd>& spreads) const {
-  std::vector<WholeChosen> small;
+  std::vector<Chosen> small;
   for (std::size_t c = 0; c < task_.causes->size(); ++c) {
     const Cause& cause = (*task_.causes)[c].cause;
-    if (cause.spread == 0 || inModel(c)) continue;
+    if (cause.spread == 0 || has(model_, c)) continue;
     const std::vector<std::vector<double>> starts = startsOf(cause);
     small.push_back({c, starts.empty() ? std::vector<double>(cause.free.size()) : starts.front()});
     small.back().x[0] = std::min(kWidely * cause.spread, cause.free[0].upper);
@@ -41,7 +41,7 @@ void WholeStage::simulateDifferences(std::vector<Eigen::VectorXd>& spreads) cons
   const std::size_t first = spreads.size();
   spreads.resize(first + small.size());
   inParallel(small.size(), task_.jobs, [&](std::size_t i) {
-    WholeModel with = model_;
+    CauseList with = model_;
     with.push_back(small[i]);
     const Eigen::VectorXd means =
         task_.data->stackMeans(meansOf(fitRuns(task_, with, Blocks::All, 1)));

@@ -21,20 +21,6 @@ constexpr double kBeside = 4;
 // If it is still chance, by how much further, up to this part of the number, and when it is not.
 constexpr double kWider = 2, kWidest = 0.7, kCoherent = 0.7;
 
-// All numbers of a model in one row, and back.
-std::vector<double> flat(const WholeModel& model) {
-  std::vector<double> x;
-  for (const WholeChosen& one : model) x.insert(x.end(), one.x.begin(), one.x.end());
-  return x;
-}
-WholeModel withNumbers(WholeModel model, const std::vector<double>& x) {
-  std::size_t at = 0;
-  for (WholeChosen& one : model) {
-    for (double& number : one.x) number = x[at++];
-  }
-  return model;
-}
-
 // Of a coupled stop's sizes of interest: joints meet stops within milliradians, and wider steps
 // take the way there for a part of the slope. How steep it is moves it as far as where it begins
 // does: wider steps of the one alone hid that the two make up for each other, and -0.44 were told
@@ -56,10 +42,10 @@ std::size_t countFree(const FitSpace& space) {
   return free;
 }
 
-FitSpace spaceOf(const WholeTask& task, const WholeModel& model) {
+FitSpace spaceOf(const WholeTask& task, const CauseList& model) {
   FitSpace space;
   space.part = 0;  // steps are as wide as they are to be
-  for (const WholeChosen& one : model) {
+  for (const Chosen& one : model) {
     for (std::size_t i = 0; i < one.x.size(); ++i) {
       const FreeNumber& number = (*task.causes)[one.cause].cause.free[i];
       space.start.push_back(std::clamp(one.x[i], number.lower, number.upper));
@@ -108,9 +94,9 @@ FitPoint lowest(const std::function<Eigen::VectorXd(const std::vector<double>&)>
 }
 
 // Of the stacked means by one number, from this far on either side of it.
-Halves slopeAcross(const WholeTask& task, const WholeModel& model, const FitSpace& space,
+Halves slopeAcross(const WholeTask& task, const CauseList& model, const FitSpace& space,
                    std::size_t number, double width) {
-  const std::vector<double> x = flat(model);
+  const std::vector<double> x = numbersOf(model);
   const auto beside = [&](double by) {
     return std::clamp(x[number] + by, space.lower[number], space.upper[number]);
   };
@@ -124,14 +110,14 @@ Halves slopeAcross(const WholeTask& task, const WholeModel& model, const FitSpac
 }
 
 // As wide as it takes to be more than chance, if a stage tells how much that is.
-Halves slopeOf(const WholeTask& task, const WholeModel& model, std::size_t number,
+Halves slopeOf(const WholeTask& task, const CauseList& model, std::size_t number,
                const WholeStage* stage) {
   const FitSpace space = spaceOf(task, model);
   if (space.isFixed(number)) {
     const Eigen::VectorXd none = Eigen::VectorXd::Zero(task.data->size());
     return {none, none};
   }
-  const double most = kWidest * std::abs(flat(model)[number]);
+  const double most = kWidest * std::abs(numbersOf(model)[number]);
   double width = kBeside * space.step[number];
   Halves slope = slopeAcross(task, model, space, number, width);
   const auto coherence = [&] {
@@ -154,13 +140,13 @@ Eigen::VectorXd only(Blocks blocks, const WholeData& data, Eigen::VectorXd resid
 }  // namespace
 
 Eigen::VectorXd simulatedResidual(const WholeTask& task, const WholeStage& stage,
-                                  const WholeModel& model, Blocks blocks, int jobs) {
+                                  const CauseList& model, Blocks blocks, int jobs) {
   const WholePool pool = fitRuns(task, model, blocks, jobs);
   return only(blocks, *task.data, residualOf(*task.data, stage, pool, stage.coarseMeans()));
 }
 
 Eigen::VectorXd residualOfAll(const WholeTask& task, const WholeStage& stage,
-                              const WholeModel& model) {
+                              const CauseList& model) {
   const auto of = [&](Blocks blocks) {
     return simulatedResidual(task, stage, model, blocks, task.jobs);
   };
@@ -169,12 +155,12 @@ Eigen::VectorXd residualOfAll(const WholeTask& task, const WholeStage& stage,
 }
 
 Eigen::VectorXd roughResidual(const WholeTask& task, const WholeStage& stage,
-                              const WholeModel& model) {
+                              const CauseList& model) {
   const WholePool pool = lookRuns(task, model, 1);
   return only(Blocks::Fit, *task.data, residualOf(*task.data, stage, pool, stage.roughMeans()));
 }
 
-WholeFit fitModel(const WholeTask& task, const WholeStage& stage, const WholeModel& start,
+WholeFit fitModel(const WholeTask& task, const WholeStage& stage, const CauseList& start,
                   int jobs) {
   const auto residual = [&](const std::vector<double>& x) {
     return stage.whitenFit(
@@ -186,9 +172,9 @@ WholeFit fitModel(const WholeTask& task, const WholeStage& stage, const WholeMod
   return {withNumbers(start, point.x), point.residual, {}, {}, point.cost};
 }
 
-WholeFit fitLast(const WholeTask& task, const WholeStage& stage, const WholeModel& with) {
+WholeFit fitLast(const WholeTask& task, const WholeStage& stage, const CauseList& with) {
   const auto modelAt = [&](const std::vector<double>& x) {
-    WholeModel model = with;
+    CauseList model = with;
     model.back().x = x;
     return model;
   };
@@ -203,7 +189,7 @@ WholeFit fitLast(const WholeTask& task, const WholeStage& stage, const WholeMode
 }
 
 void addJacobian(const WholeTask& task, WholeFit& fit, const WholeStage* stage) {
-  const std::size_t numbers = flat(fit.model).size();
+  const std::size_t numbers = numbersOf(fit.model).size();
   fit.jacobian.resize(task.data->size(), static_cast<Eigen::Index>(numbers));
   fit.chance = fit.jacobian;
   for (std::size_t i = 0; i < numbers; ++i) {
@@ -212,7 +198,7 @@ void addJacobian(const WholeTask& task, WholeFit& fit, const WholeStage* stage) 
     fit.chance.col(static_cast<Eigen::Index>(i)) = (slope.first - slope.second) / 2;
   }
   Eigen::Index at = 0;
-  for (const WholeChosen& one : fit.model) {
+  for (const Chosen& one : fit.model) {
     const auto own = static_cast<Eigen::Index>(one.x.size());
     if (own > 1) fit.chance.middleCols(at, own).setZero();
     at += own;

@@ -15,7 +15,7 @@ constexpr double kOwnLeft = 0.25;  // of squares
 // The steps of the numbers that whitened residuals ask for, by one Gauss-Newton step.
 class Steps {
  public:
-  Steps(const WholeStage& stage, const WholeFit& fit)
+  Steps(const WholeStage& stage, const ModelSlopes& fit)
       : white_(whitened(stage, fit.jacobian)), steps_(white_, whitened(stage, fit.chance)) {}
 
   Eigen::VectorXd operator()(const Eigen::VectorXd& residual) const { return steps_(residual); }
@@ -72,10 +72,10 @@ Eigen::VectorXd disagreement(const WholeTask& task, const WholeStage& stage, con
 }
 
 // One SD of something in the first number of each cause; 0 of those that shape it.
-Eigen::VectorXd inSizes(const WholeTask& task, const WholeModel& model,
+Eigen::VectorXd inSizes(const WholeTask& task, const CauseList& model,
                         double (Cause::*sd)(double) const) {
   std::vector<double> all;
-  for (const WholeChosen& one : model) {
+  for (const Chosen& one : model) {
     all.push_back(((*task.causes)[one.cause].cause.*sd)(one.x[0]));
     all.resize(all.size() + one.x.size() - 1, 0);
   }
@@ -84,7 +84,8 @@ Eigen::VectorXd inSizes(const WholeTask& task, const WholeModel& model,
 
 }  // namespace
 
-Eigen::MatrixXd drawNumbers(const WholeTask& task, const WholeStage& stage, const WholeFit& fit) {
+Eigen::MatrixXd drawNumbers(const WholeTask& task, const WholeStage& stage,
+                            const ModelSlopes& fit) {
   if (fit.jacobian.cols() == 0 || stage.nulls().empty()) return {fit.jacobian.cols(), 0};
   const Steps steps(stage, fit);
   Eigen::MatrixXd draws = centred(stage, steps) * std::sqrt(1 + 1.0 / stage.simulatedPerRun());
@@ -101,22 +102,7 @@ Eigen::MatrixXd drawNumbers(const WholeTask& task, const WholeStage& stage, cons
   return draws;
 }
 
-Eigen::Index firstNumberOf(const WholeModel& model, std::size_t place) {
-  Eigen::Index first = 0;
-  for (std::size_t i = 0; i < place; ++i) first += static_cast<Eigen::Index>(model[i].x.size());
-  return first;
-}
-
-WholeFit sizeOf(const WholeFit& fit, std::size_t place) {
-  const Eigen::Index column = firstNumberOf(fit.model, place);
-  WholeFit size;
-  size.model = {{fit.model[place].cause, {fit.model[place].x[0]}}};
-  size.jacobian = fit.jacobian.col(column);
-  size.chance = fit.chance.col(column);
-  return size;
-}
-
-WholeStep stepOf(const WholeTask& task, const WholeStage& stage, const WholeFit& fit) {
+WholeStep stepOf(const WholeTask& task, const WholeStage& stage, const ModelSlopes& fit) {
   WholeStep all{fit.model, 0};
   if (fit.jacobian.cols() == 0 || stage.nulls().size() < 2) return all;
   const Steps steps(stage, fit);
@@ -126,7 +112,7 @@ WholeStep stepOf(const WholeTask& task, const WholeStage& stage, const WholeFit&
       (draws.rowwise().squaredNorm() / static_cast<double>(draws.cols() - 1)).cwiseSqrt();
   all.length = step.cwiseQuotient(sd.cwiseMax(1e-12)).cwiseAbs().maxCoeff();
   Eigen::Index at = 0;
-  for (WholeChosen& one : all.to) {
+  for (Chosen& one : all.to) {
     const std::vector<FreeNumber>& free = (*task.causes)[one.cause].cause.free;
     for (std::size_t i = 0; i < one.x.size(); ++i) {
       one.x[i] = std::clamp(one.x[i] + step[at++], free[i].lower, free[i].upper);
@@ -146,8 +132,8 @@ bool speaksFor(const WholeTask& task, const WholeStage& stage, const Eigen::Vect
   return own(to) < kOwnLeft * own(from);
 }
 
-std::optional<WholeModel> farStep(const WholeTask& task, const WholeStage& stage,
-                                  const WholeFit& fit) {
+std::optional<CauseList> farStep(const WholeTask& task, const WholeStage& stage,
+                                 const ModelSlopes& fit) {
   WholeStep step = stepOf(task, stage, fit);
   if (step.length <= kByChance) return std::nullopt;
   const StepErrors before = task.data->stepErrors();

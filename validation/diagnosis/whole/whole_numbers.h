@@ -11,21 +11,16 @@ namespace nao::validation {
 /// measurement and of as few runs as were simulated; what equal robots differ by otherwise (the
 /// null sets have it) and in the numbers themselves; and, as far as signals disagree about the
 /// numbers by more than in null sets, that: what the model lacks makes each want another number.
-Eigen::MatrixXd drawNumbers(const WholeTask& task, const WholeStage& stage, const WholeFit& fit);
-
-/// The first number of the cause at `place` alone, with its slope: all others stay as they are.
-WholeFit sizeOf(const WholeFit& fit, std::size_t place);
-/// Where the numbers of the cause at `place` begin among those of all.
-Eigen::Index firstNumberOf(const WholeModel& model, std::size_t place);
+Eigen::MatrixXd drawNumbers(const WholeTask& task, const WholeStage& stage, const ModelSlopes& fit);
 
 /// To where the many runs of a model's own stage ask its numbers to be: its fit was made by few.
 struct WholeStep {
-  WholeModel to;
+  CauseList to;
   double length = 0;  // [SD of what chance makes of it] of the number that moves most by that
 };
 /// Chance is within this length, a fit that went astray is not.
 inline constexpr double kByChance = 4;
-WholeStep stepOf(const WholeTask& task, const WholeStage& stage, const WholeFit& fit);
+WholeStep stepOf(const WholeTask& task, const WholeStage& stage, const ModelSlopes& fit);
 
 /// Whether the residual after a step, raw, speaks for it against the one before: less is left. Runs
 /// of robots on their feet part by chance as soon as any number moves, which is more than most
@@ -33,12 +28,12 @@ WholeStep stepOf(const WholeTask& task, const WholeStage& stage, const WholeFit&
 bool speaksFor(const WholeTask& task, const WholeStage& stage, const Eigen::VectorXd& before,
                const Eigen::VectorXd& after);
 
-/// Where the numbers are asked to be, if that is further than chance goes and many runs of the model
-/// there speak for it by its own step errors, which the data keep then; none: they stay. By step
-/// errors of other numbers a walk whose commands are 3 ms late, one and a half coarse steps, was
-/// told as 2.2 ms late.
-std::optional<WholeModel> farStep(const WholeTask& task, const WholeStage& stage,
-                                  const WholeFit& fit);
+/// Where the numbers are asked to be, if that is further than chance goes and many runs of the
+/// model there speak for it by its own step errors, which the data keep then; none: they stay. By
+/// step errors of other numbers a walk whose commands are 3 ms late, one and a half coarse steps,
+/// was told as 2.2 ms late.
+std::optional<CauseList> farStep(const WholeTask& task, const WholeStage& stage,
+                                 const ModelSlopes& fit);
 inline constexpr int kMostFarSteps = 3;  // one after another
 
 /// Takes that step if it is no further than chance goes, and short or spoken for.

@@ -26,8 +26,8 @@ constexpr double kMostNulls = 0.9;  // of null sets: what most of them leave
 // sign. A rough cause does nothing below some size and everything beyond another (a stop that is
 // not reached, a floor that still holds): all of its looks that promise something, at several
 // sizes.
-std::vector<WholeChosen> WholeSearch::beginningsOf(const WholeLook& look, double scale) const {
-  std::vector<WholeChosen> all(3, {look.cause, look.x});
+std::vector<Chosen> WholeSearch::beginningsOf(const WholeLook& look, double scale) const {
+  std::vector<Chosen> all(3, {look.cause, look.x});
   all[0].x[0] *= scale;
   all[1].x[0] *= scale / 2;
   if (placed(look.cause).cause.linear) return all;
@@ -53,11 +53,11 @@ std::vector<WholeChosen> WholeSearch::beginningsOf(const WholeLook& look, double
 }
 
 // The model with the beginning that a few runs like best.
-WholeModel WholeSearch::bestOf(const std::vector<WholeChosen>& beginnings) const {
-  WholeModel best;
+CauseList WholeSearch::bestOf(const std::vector<Chosen>& beginnings) const {
+  CauseList best;
   double least = std::numeric_limits<double>::infinity();
-  for (const WholeChosen& beginning : beginnings) {
-    WholeModel model = fit_.model;
+  for (const Chosen& beginning : beginnings) {
+    CauseList model = fit_.model;
     model.push_back(beginning);
     const double cost = stage_->whitenFit(roughResidual(task_, *stage_, model)).squaredNorm();
     if (cost >= least) continue;
@@ -69,7 +69,7 @@ WholeModel WholeSearch::bestOf(const std::vector<WholeChosen>& beginnings) const
 
 // Of each beginning the newest cause's numbers alone.
 std::vector<WholeSearch::Candidate> WholeSearch::fittedAlone(
-    const std::vector<WholeModel>& beginnings) const {
+    const std::vector<CauseList>& beginnings) const {
   const double before = stage_->beside(fit_.residual).squaredNorm() / 2;
   std::vector<Candidate> fitted(beginnings.size());
   inParallel(beginnings.size(), task_.jobs, [&](std::size_t i) {
@@ -81,10 +81,10 @@ std::vector<WholeSearch::Candidate> WholeSearch::fittedAlone(
 
 // Fits of all numbers at once cost most of a search: those of the newest alone tell which causes
 // are far behind.
-std::vector<WholeModel> WholeSearch::worthAFit(const std::vector<Candidate>& alone) {
+std::vector<CauseList> WholeSearch::worthAFit(const std::vector<Candidate>& alone) {
   double most = 0;
   for (const Candidate& one : alone) most = std::max(most, one.gain);
-  std::vector<WholeModel> kept;
+  std::vector<CauseList> kept;
   for (const Candidate& one : alone) {
     const bool worth = one.gain >= std::max(kWorth * critical_, kBehind * most);
     if (worth || provisionalOf(one.cause) != nullptr) {
@@ -126,12 +126,12 @@ bool WholeSearch::leavesOnlyChance() const {
 }
 
 // By cause, where their fits begin.
-std::vector<std::vector<WholeChosen>> WholeSearch::finalists() {
+std::vector<std::vector<Chosen>> WholeSearch::finalists() {
   const std::vector<Promise> looks = promises();
   const bool chance = leavesOnlyChance();
   double least = looks.empty() ? 0 : std::max(critical_ / 3, 0.1 * looks.front().gain);
   if (chance) least = std::max(least, critical_);
-  std::vector<std::vector<WholeChosen>> all;
+  std::vector<std::vector<Chosen>> all;
   for (const Promise& one : looks) {
     if (one.gain >= least && static_cast<int>(all.size()) < task_.effort.finalists) {
       all.push_back(beginningsOf(*one.look, one.scale));
@@ -141,7 +141,7 @@ std::vector<std::vector<WholeChosen>> WholeSearch::finalists() {
     }
   }
   for (const Provisional& one : provisional_) {
-    if (isInModel(one.chosen.cause) || dropped_.count(one.chosen.cause) > 0) continue;
+    if (has(fit_.model, one.chosen.cause) || dropped_.count(one.chosen.cause) > 0) continue;
     const auto fitted = std::find_if(all.begin(), all.end(), [&](const auto& beginnings) {
       return beginnings.front().cause == one.chosen.cause;
     });
@@ -155,7 +155,7 @@ std::vector<std::vector<WholeChosen>> WholeSearch::finalists() {
 }
 
 std::vector<WholeSearch::Candidate> WholeSearch::fittedFully(
-    const std::vector<WholeModel>& beginnings) const {
+    const std::vector<CauseList>& beginnings) const {
   std::vector<Candidate> fitted(beginnings.size());
   inParallel(beginnings.size(), task_.jobs, [&](std::size_t i) {
     fitted[i] = {beginnings[i].back().cause, 0, fitModel(task_, *stage_, beginnings[i])};
@@ -171,7 +171,7 @@ std::vector<WholeSearch::Candidate> WholeSearch::rank() {
     for (const auto& one : beginnings) not_tried_.push_back(labelOf(one.front().cause));
     beginnings.clear();
   }
-  std::vector<WholeModel> models(beginnings.size());
+  std::vector<CauseList> models(beginnings.size());
   inParallel(beginnings.size(), task_.jobs,
              [&](std::size_t i) { models[i] = bestOf(beginnings[i]); });
   std::vector<Candidate> ranking = fittedAlone(models);
@@ -221,16 +221,11 @@ const Provisional* WholeSearch::provisionalOf(std::size_t cause) const {
   return at == provisional_.end() ? nullptr : &*at;
 }
 
-bool WholeSearch::isInModel(std::size_t cause) const {
-  return std::any_of(fit_.model.begin(), fit_.model.end(),
-                     [&](const WholeChosen& one) { return one.cause == cause; });
-}
-
 // By how much the motions would differ from the nominal model's if a lower level were right.
 void WholeSearch::lookAtProvisional() {
   would_show_.resize(provisional_.size());
   inParallel(provisional_.size(), task_.jobs, [&](std::size_t i) {
-    const WholeModel model{provisional_[i].chosen};
+    const CauseList model{provisional_[i].chosen};
     const Eigen::VectorXd residual =
         stage_->whitenFit(simulatedResidual(task_, *stage_, model, Blocks::Fit));
     would_show_[i] = (residual - fit_.residual).norm();
@@ -241,7 +236,7 @@ HandedOnFate WholeSearch::fateOf(std::size_t number) const {
   const Provisional& one = provisional_[number];
   HandedOnFate fate{one.was, numbersOf(one.chosen).front(), {}, would_show_[number], ""};
   const std::string label = labelOf(one.chosen.cause);
-  for (const WholeChosen& chosen : fit_.model) {
+  for (const Chosen& chosen : fit_.model) {
     if (chosen.cause != one.chosen.cause) continue;
     fate.now = numbersOf(chosen).front();
     fate.outcome = "found here too";

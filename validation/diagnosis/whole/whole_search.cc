@@ -22,9 +22,9 @@ constexpr double kLessNoise = 0.8;
 // effect to about a tenth, which leaves a hundredth of its misfit to causes that are none.
 constexpr double kLeastOfAll = 0.02;
 
-std::vector<std::size_t> causesOf(const WholeModel& model) {
+std::vector<std::size_t> causesOf(const CauseList& model) {
   std::vector<std::size_t> causes;
-  for (const WholeChosen& one : model) causes.push_back(one.cause);
+  for (const Chosen& one : model) causes.push_back(one.cause);
   return causes;
 }
 
@@ -148,15 +148,15 @@ void WholeSearch::take(const std::vector<Candidate>& ranking, const Candidate& o
 // rivals may have drowned: all of them are fitted and compared by what noise is left.
 void WholeSearch::compareAgain() {
   tell("comparing again with less noise");
-  WholeModel less = fit_.model;
+  CauseList less = fit_.model;
   less.pop_back();
   const double before =
       stage_->whitenFit(simulatedResidual(task_, *stage_, less, Blocks::Fit)).squaredNorm() / 2;
-  std::vector<WholeChosen> all = accepted_.back().others;
+  std::vector<Chosen> all = accepted_.back().others;
   all.insert(all.begin(), fit_.model.back());
   std::vector<Candidate> ranking(all.size());
   inParallel(all.size(), task_.jobs, [&](std::size_t i) {
-    WholeModel model = less;
+    CauseList model = less;
     model.push_back(all[i]);
     ranking[i] = {all[i].cause, 0, fitModel(task_, *stage_, model)};
     ranking[i].gain = before - ranking[i].fit.cost;
@@ -178,10 +178,10 @@ void WholeSearch::compareAgain() {
 }
 
 // Of the select blocks; not a number if there is none or the cause does nothing there.
-double WholeSearch::heldOut(const WholeModel& less, const WholeModel& model) const {
+double WholeSearch::heldOut(const CauseList& less, const CauseList& model) const {
   const Eigen::Index held = task_.data->size() - task_.data->fitSize();
   if (held == 0) return std::numeric_limits<double>::quiet_NaN();
-  const auto tailOf = [&](const WholeModel& of) {
+  const auto tailOf = [&](const CauseList& of) {
     return stage_->whitenAll(residualOfAll(task_, *stage_, of)).tail(held).eval();
   };
   const Eigen::VectorXd before = tailOf(less), after = tailOf(model);
@@ -211,7 +211,7 @@ double WholeSearch::gainByManyRuns(const Candidate& candidate) const {
 // than those that were fitted beside it.
 void WholeSearch::review() {
   for (std::size_t place = 0; place + 1 < fit_.model.size();) {
-    WholeModel without = fit_.model;
+    CauseList without = fit_.model;
     without.erase(without.begin() + static_cast<std::ptrdiff_t>(place));
     tell("reviewing " + placed(fit_.model[place].cause).cause.id);
     WholeFit less = fitModel(task_, *stage_, without);
@@ -232,10 +232,10 @@ void WholeSearch::review() {
 }
 
 bool WholeSearch::swapOne(std::size_t place) {
-  const std::vector<WholeChosen> others = accepted_[place].others;
-  for (const WholeChosen& other : others) {
+  const std::vector<Chosen> others = accepted_[place].others;
+  for (const Chosen& other : others) {
     if (dropped_.count(other.cause) > 0) continue;
-    WholeModel swapped = fit_.model;
+    CauseList swapped = fit_.model;
     swapped[place] = other;
     WholeFit fit = fitModel(task_, *stage_, swapped);
     if (fit.cost > fit_.cost - 3 * spread_of_gain_) continue;

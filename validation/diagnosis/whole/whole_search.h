@@ -28,7 +28,7 @@ struct WholeVerdict {
   double misfit_before = 0, misfit_after = 0;  // mean square, whitened, over that of null sets
   double remainder = 0, remainder_critical = 0;
   std::string signature;               // the signals that remain, the worst first
-  WholeModel model;                    // numbers of task.causes
+  CauseList model;                     // numbers of task.causes
   WholeSpread spread;                  // with that model; as it was told if that is empty
   std::vector<std::string> not_tried;  // as the budget was spent
   std::vector<HandedOnFate> handed_on;
@@ -67,11 +67,10 @@ class WholeSearch {
   };
   std::vector<Promise> promises() const;
   bool leavesOnlyChance() const;
-  std::vector<std::vector<WholeChosen>> finalists();
+  std::vector<std::vector<Chosen>> finalists();
   std::vector<Candidate> rank();
   void preferProvisional(std::vector<Candidate>& ranking) const;
   const Provisional* provisionalOf(std::size_t cause) const;
-  bool isInModel(std::size_t cause) const;
   void lookAtProvisional();
   HandedOnFate fateOf(std::size_t number) const;
   bool accept(const std::vector<Candidate>& ranking);
@@ -79,26 +78,25 @@ class WholeSearch {
   void compareAgain();
   std::string objection(const Candidate& candidate, double held_out) const;
   double gainByManyRuns(const Candidate& candidate) const;
-  double heldOut(const WholeModel& less, const WholeModel& model) const;
+  double heldOut(const CauseList& less, const CauseList& model) const;
   void review();
   bool swapOne(std::size_t place);
   void judge(WholeVerdict& verdict) const;
   void describe(WholeVerdict& verdict) const;
   bool isOfOneMotion() const;
-  bool isOnlyOneOfInterest(std::size_t place) const;
   PlacedFinding finding(std::size_t place, const Eigen::MatrixXd& draws) const;
   std::string signature() const;
 
-  std::vector<WholeChosen> beginningsOf(const WholeLook& look, double scale) const;
-  WholeModel bestOf(const std::vector<WholeChosen>& beginnings) const;
-  std::vector<Candidate> fittedAlone(const std::vector<WholeModel>& beginnings) const;
-  std::vector<Candidate> fittedFully(const std::vector<WholeModel>& beginnings) const;
-  std::vector<WholeModel> worthAFit(const std::vector<Candidate>& alone);
+  std::vector<Chosen> beginningsOf(const WholeLook& look, double scale) const;
+  CauseList bestOf(const std::vector<Chosen>& beginnings) const;
+  std::vector<Candidate> fittedAlone(const std::vector<CauseList>& beginnings) const;
+  std::vector<Candidate> fittedFully(const std::vector<CauseList>& beginnings) const;
+  std::vector<CauseList> worthAFit(const std::vector<Candidate>& alone);
   double reachOf(const Candidate& best, const Candidate& other) const;
   std::vector<Rival> rivalsOf(const std::vector<Candidate>& ranking, const Candidate& best) const;
   const PlacedCause& placed(std::size_t cause) const { return (*task_.causes)[cause]; }
   std::string labelOf(std::size_t cause) const;
-  std::vector<FoundNumber> numbersOf(const WholeChosen& chosen) const;
+  std::vector<FoundNumber> numbersOf(const Chosen& chosen) const;
   void tell(const std::string& what) const;
 
   WholeTask task_;
@@ -114,7 +112,7 @@ class WholeSearch {
     double gain = 0, share = 0, held_out = 0;
     int folds = 0, folds_better = 0;
     std::vector<Rival> rivals;
-    std::vector<WholeChosen> others;  // that were fitted beside it, to compare or swap with
+    std::vector<Chosen> others;  // that were fitted beside it, to compare or swap with
   };
   std::vector<Accepted> accepted_;  // in the order of the model
   std::set<std::size_t> dropped_;   // causes that a review took out: else it would go in circles

@@ -24,7 +24,7 @@ int runsPerMeasured(const WholeData& data, int runs, bool held = false) {
   return perRun(runs, most);
 }
 
-WholePool simulate(const WholeTask& task, const WholeModel& model, WholeStream stream) {
+WholePool simulate(const WholeTask& task, const CauseList& model, WholeStream stream) {
   const int runs = std::max(4, runsPerMeasured(*task.data, task.effort.base_runs));
   return startedAlike(
       *task.data, task.data->simulate(settingsOf(*task.causes, model), runs, kAllRuns, Blocks::All,
@@ -63,15 +63,15 @@ bool needsStart(const Cause& cause, const std::vector<double>& start) {
 }  // namespace
 
 std::vector<EffectSetting> settingsOf(const std::vector<PlacedCause>& causes,
-                                      const WholeModel& model) {
+                                      const CauseList& model) {
   std::vector<EffectSetting> settings;
-  for (const WholeChosen& chosen : model) {
+  for (const Chosen& chosen : model) {
     settings.push_back(causes[chosen.cause].setting(chosen.x));
   }
   return settings;
 }
 
-WholePool fitRuns(const WholeTask& task, const WholeModel& model, Blocks blocks, int jobs) {
+WholePool fitRuns(const WholeTask& task, const CauseList& model, Blocks blocks, int jobs) {
   const int runs = blocks == Blocks::Held
                        ? runsPerMeasured(*task.data, task.effort.base_runs / 2, true)
                        : runsPerMeasured(*task.data, task.effort.fit_runs);
@@ -79,29 +79,29 @@ WholePool fitRuns(const WholeTask& task, const WholeModel& model, Blocks blocks,
                              number(WholeStream::Base), task.noise, jobs, Pace::Coarse);
 }
 
-WholePool slopeRuns(const WholeTask& task, const WholeModel& model) {
+WholePool slopeRuns(const WholeTask& task, const CauseList& model) {
   return task.data->simulate(settingsOf(*task.causes, model),
                              std::max(2, runsPerMeasured(*task.data, task.effort.fit_runs)),
                              kAllRuns, Blocks::All, number(WholeStream::Base), task.noise,
                              task.jobs, Pace::Coarse);
 }
 
-WholePool lookRuns(const WholeTask& task, const WholeModel& model, int jobs) {
+WholePool lookRuns(const WholeTask& task, const CauseList& model, int jobs) {
   return task.data->simulate(settingsOf(*task.causes, model), 1,
                              static_cast<std::size_t>(task.effort.look_runs), Blocks::Fit,
                              number(WholeStream::Base), task.noise, jobs, Pace::Coarse);
 }
 
-void learnStepErrors(const WholeTask& task, const WholeModel& model) {
+void learnStepErrors(const WholeTask& task, const CauseList& model) {
   task.data->learnStepErrors(settingsOf(*task.causes, model), task.effort.step_runs, task.noise,
                              task.jobs);
 }
 
-Eigen::VectorXd manyRunsResidual(const WholeTask& task, const WholeModel& model) {
+Eigen::VectorXd manyRunsResidual(const WholeTask& task, const CauseList& model) {
   return residual(*task.data, meansOf(simulate(task, model, WholeStream::Base)));
 }
 
-WholeStage::WholeStage(const WholeTask& task, WholeModel model, const Eigen::MatrixXd& jacobian,
+WholeStage::WholeStage(const WholeTask& task, CauseList model, const Eigen::MatrixXd& jacobian,
                        const WholeStage* before)
     : task_(task),
       model_(std::move(model)),
@@ -147,7 +147,7 @@ void WholeStage::lookAtAll(const std::vector<Eigen::VectorXd>& base) {
   std::vector<Order> orders;
   for (std::size_t c = 0; c < task_.causes->size(); ++c) {
     const Cause& cause = (*task_.causes)[c].cause;
-    if (inModel(c)) continue;
+    if (has(model_, c)) continue;
     for (const std::vector<double>& start : startsOf(cause)) {
       if (needsStart(cause, start)) orders.push_back({c, start});
     }
@@ -167,16 +167,11 @@ void WholeStage::lookAtAll(const std::vector<Eigen::VectorXd>& base) {
              [&](std::size_t i) { looks_[i] = look(orders[i].cause, orders[i].x, base); });
 }
 
-bool WholeStage::inModel(std::size_t cause) const {
-  return std::any_of(model_.begin(), model_.end(),
-                     [&](const WholeChosen& one) { return one.cause == cause; });
-}
-
 // What equal robots differ by shows otherwise beside a gross cause (on a slippery floor): these
 // looks are taken anew.
 void WholeStage::takeLooks(const WholeStage& before, const std::vector<Eigen::VectorXd>& base) {
   for (const WholeLook& look : before.looks_) {
-    if (!inModel(look.cause)) looks_.push_back(look);
+    if (!has(model_, look.cause)) looks_.push_back(look);
   }
   inParallel(looks_.size(), task_.jobs, [&](std::size_t i) {
     const WholeLook old = looks_[i];
@@ -186,7 +181,7 @@ void WholeStage::takeLooks(const WholeStage& before, const std::vector<Eigen::Ve
 
 WholeLook WholeStage::look(std::size_t cause, const std::vector<double>& x,
                            const std::vector<Eigen::VectorXd>& base) const {
-  WholeModel with = model_;
+  CauseList with = model_;
   with.push_back({cause, x});
   const WholePool pool = lookRuns(task_, with, 1);
   std::vector<Eigen::VectorXd> change(base.size());

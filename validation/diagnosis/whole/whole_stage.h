@@ -2,21 +2,15 @@
 
 #include <vector>
 
+#include "validation/diagnosis/causes/chosen.h"
 #include "validation/diagnosis/causes/whole_causes.h"
 #include "validation/diagnosis/maths/whitening.h"
 #include "validation/diagnosis/whole/whole_noise.h"
 
 namespace nao::validation {
 
-/// A cause of a list with its numbers, as part of a model.
-struct WholeChosen {
-  std::size_t cause = 0;
-  std::vector<double> x;
-};
-using WholeModel = std::vector<WholeChosen>;
-
 std::vector<EffectSetting> settingsOf(const std::vector<PlacedCause>& causes,
-                                      const WholeModel& model);
+                                      const CauseList& model);
 
 /// What switching a cause on does to the means of the blocks to fit.
 struct WholeLook {
@@ -41,15 +35,15 @@ struct WholeTask {
 
 /// Runs of a model by the coarse pace: as many as a fit takes, and as a look does of the blocks to
 /// fit. Of blocks held back alone, often of one measured run, more.
-WholePool fitRuns(const WholeTask& task, const WholeModel& model, Blocks blocks, int jobs);
-WholePool slopeRuns(const WholeTask& task, const WholeModel& model);  // two or more of each
-WholePool lookRuns(const WholeTask& task, const WholeModel& model, int jobs);
+WholePool fitRuns(const WholeTask& task, const CauseList& model, Blocks blocks, int jobs);
+WholePool slopeRuns(const WholeTask& task, const CauseList& model);  // two or more of each
+WholePool lookRuns(const WholeTask& task, const CauseList& model, int jobs);
 
 /// From now on the data make up for what coarse runs of this model are off by.
-void learnStepErrors(const WholeTask& task, const WholeModel& model);
+void learnStepErrors(const WholeTask& task, const CauseList& model);
 
 /// Measured less simulated means, stacked, by as many runs as a stage makes of its own model.
-Eigen::VectorXd manyRunsResidual(const WholeTask& task, const WholeModel& model);
+Eigen::VectorXd manyRunsResidual(const WholeTask& task, const CauseList& model);
 
 /// A model of a whole robot compared with its measurement: residual, a look at every cause, and
 /// the residuals of sets that the model itself makes (nulls), undeclared differences between equal
@@ -58,10 +52,10 @@ class WholeStage {
  public:
   /// `jacobian`: the change of the stacked means per number of the model. `before`: a stage whose
   /// looks serve this one too, as a whole robot costs; null: all are new.
-  WholeStage(const WholeTask& task, WholeModel model, const Eigen::MatrixXd& jacobian,
+  WholeStage(const WholeTask& task, CauseList model, const Eigen::MatrixXd& jacobian,
              const WholeStage* before = nullptr);
 
-  const WholeModel& model() const { return model_; }
+  const CauseList& model() const { return model_; }
   const std::vector<WholeLook>& looks() const { return looks_; }
   const std::vector<std::size_t>& notTried() const { return not_tried_; }  // out of budget
   const Eigen::VectorXd& raw() const { return raw_; }  // measured minus simulated means
@@ -97,13 +91,12 @@ class WholeStage {
   void simulateDifferences(std::vector<Eigen::VectorXd>& spreads) const;
   void scaleLooks(std::vector<Eigen::VectorXd>& spreads) const;
   void addLateStarts(std::vector<Eigen::VectorXd>& directions) const;
-  bool inModel(std::size_t cause) const;
   WholeLook look(std::size_t cause, const std::vector<double>& x,
                  const std::vector<Eigen::VectorXd>& base) const;
   void simulateNulls(const std::vector<Eigen::VectorXd>& means);
 
   WholeTask task_;
-  WholeModel model_;
+  CauseList model_;
   WholePool pool_;
   WholeNoise noise_;
   Eigen::VectorXd raw_, coarse_means_, rough_means_;

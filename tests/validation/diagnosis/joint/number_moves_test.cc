@@ -8,35 +8,6 @@
 namespace nao::validation {
 namespace {
 
-std::vector<Cause> twoCauses() {
-  std::vector<Cause> causes(2);
-  causes[0].free.resize(2);
-  causes[1].free.resize(1);
-  for (Cause& cause : causes) cause.free[0].smallest = 0.1;
-  return causes;
-}
-
-TEST(OnlyOneOfInterest, IsTheOneWhoseNumberIsLargeEnough) {
-  const std::vector<Cause> causes = twoCauses();
-  EXPECT_EQ(onlyOneOfInterest({{0, {0, 7}}, {1, {-0.3}}}, causes), 1u);
-  EXPECT_EQ(onlyOneOfInterest({{0, {0.2, 7}}}, causes), 0u);
-  EXPECT_EQ(onlyOneOfInterest({{0, {0.2, 7}}, {1, {-0.3}}}, causes), std::nullopt);
-  EXPECT_EQ(onlyOneOfInterest({{0, {0, 7}}, {1, {0.05}}}, causes), std::nullopt);
-}
-
-TEST(SizeOf, IsTheFirstNumberOfACauseWithItsSlope) {
-  ModelFit fit;
-  fit.model = {{1, {5}}, {0, {-0.3, 7}}};
-  fit.jacobian = Eigen::MatrixXd::Random(4, 3);
-  fit.chance = Eigen::MatrixXd::Random(4, 3);
-  const ModelFit size = sizeOf(fit, 1);
-  ASSERT_EQ(size.model.size(), 1u);
-  EXPECT_EQ(size.model[0].cause, 0u);
-  EXPECT_EQ(size.model[0].x, std::vector<double>{-0.3});
-  EXPECT_EQ(size.jacobian, fit.jacobian.col(1));
-  EXPECT_EQ(size.chance, fit.chance.col(1));
-}
-
 // The friction of 1.5 N m of an elbow had an interval from -0.26 to 3.9, as its speed followed:
 // nothing was named.
 TEST(Reestimated, SizesAreSureWithTheShapeThatUndoesThem) {

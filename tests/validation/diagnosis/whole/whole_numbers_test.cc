@@ -124,7 +124,7 @@ TEST_F(WholeNumbersTest, ThatUndoEachOtherAreKnownWhereTheOtherStays) {
   fit.jacobian.col(1) = fit.jacobian.col(0) + 0.1 * size * stage.nulls()[0].normalized();
   fit.chance.conservativeResize(Eigen::NoChange, 2);
   fit.chance.col(1).setZero();
-  const WholeFit alone = sizeOf(fit, 0);
+  const ModelSlopes alone = sizeOf(fit, 0);
   EXPECT_EQ(drawNumbers(task_, stage, alone), drawNumbers(task_, stage, lone));
   EXPECT_GT(varianceOf(drawNumbers(task_, stage, fit).row(0)),
             4 * varianceOf(drawNumbers(task_, stage, alone)));

@@ -53,7 +53,7 @@ class HungLeg : public testing::Test {
 // granted to chance, in what is shown by three times as much.
 TEST_F(HungLeg, WhatEqualRobotsDifferByIsNotTakenForAnError) {
   const WholeStage stage(task_, {}, Eigen::MatrixXd(data_.size(), 0));
-  const WholeModel other{{causeOf("kd_error"), {0.06}}};
+  const CauseList other{{causeOf("kd_error"), {0.06}}};
   const Eigen::VectorXd change =
       (data_.stackMeans(meansOf(fitRuns(task_, other, Blocks::All, 1))) - stage.coarseMeans()) / 3;
   EXPECT_LT(stage.whitenFit(change).norm(), 1.1 * std::sqrt(3));
