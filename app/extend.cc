@@ -10,8 +10,8 @@
 #include "validation/diagnosis/extend/empirical.h"
 #include "validation/diagnosis/folds/diagnose_folds.h"
 #include "validation/diagnosis/report/report_file.h"
-#include "validation/diagnosis/rig/merge_effects.h"
 #include "validation/log/log_robots.h"
+#include "validation/merge_effects.h"
 
 namespace nao::app {
 namespace {

@@ -41,13 +41,13 @@ class FloorMaker {
       : hidden_(hidden), nominal_(nominal) {
     auto robot = std::make_shared<RobotModel>(*nominal);
     if (!hidden.isExactNull()) addUndeclaredDifferences(*robot, hidden.seed);
+    addNoise(*robot);
     plan_ = planOf(hidden.scene, robot);
     plan_.effects = &hiddenEffects();
     truth_.name = hidden.name();
     truth_.kind = hidden.kind;
     truth_.level = hidden.level;
     truth_.scene = nameOf(hidden.scene);
-    addNoise();
   }
 
   HiddenSet make() {
@@ -66,10 +66,11 @@ class FloorMaker {
 
  private:
   // The kinds of the robot's own file, at a level and with a memory of the set's own. The floor is
-  // one floor for all runs.
-  void addNoise() {
+  // one floor for all runs. They come first, so that they are drawn alike whatever is hidden.
+  void addNoise(RobotModel& robot) {
     Random random(hidden_.seed, "noise");
     const double level = random.uniform(0.5, 1.3), memory = random.uniform(0.7, 1.5);
+    std::vector<EffectSetting> noise;
     for (EffectSetting effect : nominal_->noise) {
       if (effect.name == "floor_friction") continue;
       if (effect.name == "process_noise") {
@@ -78,8 +79,9 @@ class FloorMaker {
         truth_.torque_sd = std::max(truth_.torque_sd, effect.parameters["sd"]);
         truth_.torque_time = effect.parameters["time"];
       }
-      plan_.extra.push_back(std::move(effect));
+      noise.push_back(std::move(effect));
     }
+    robot.effects.insert(robot.effects.begin(), noise.begin(), noise.end());
   }
 
   // Some runs with these effects on top, all samples by the same chance.

@@ -3,8 +3,8 @@
 
 #include "tests/hidden/trial.h"
 #include "validation/diagnosis/replay/replay.h"
-#include "validation/diagnosis/rig/merge_effects.h"
 #include "validation/diagnosis/rig/rig_simulator.h"
+#include "validation/merge_effects.h"
 #include "validation/suspended.h"
 
 namespace nao::hidden {

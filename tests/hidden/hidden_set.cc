@@ -11,8 +11,8 @@
 #include "tests/hidden/mujoco/recording.h"
 #include "tests/hidden/response.h"
 #include "tests/hidden/scaling.h"
-#include "validation/diagnosis/rig/merge_effects.h"
 #include "validation/log/simulated_recording.h"
+#include "validation/merge_effects.h"
 #include "validation/suspended.h"
 
 namespace nao::hidden {
@@ -96,8 +96,10 @@ class Maker {
     truth_.start_sd = random.uniform(0.0005, 0.0015);
     plan_.name = truth_.name;
     plan_.effects = &hiddenEffects();
-    plan_.extra = {
-        {"process_noise", {{"sd", truth_.torque_sd}, {"time", truth_.torque_time}}, {}, ""}};
+    // First, so that it is drawn alike whatever is hidden.
+    robot->effects.insert(
+        robot->effects.begin(),
+        {"process_noise", {{"sd", truth_.torque_sd}, {"time", truth_.torque_time}}, {}, ""});
     if (!hidden.isExactNull()) addUndeclaredDifferences(*robot, hidden.seed);
     plan_.model = robot;
     plan_.start_sd = truth_.start_sd;

@@ -7,7 +7,7 @@
 #include "core/check.h"
 #include "core/random.h"
 #include "tests/hidden/laws/laws.h"
-#include "validation/diagnosis/rig/merge_effects.h"
+#include "validation/merge_effects.h"
 
 namespace nao::hidden {
 namespace {

@@ -83,7 +83,7 @@ class FloorRun {
 }  // namespace
 
 LogSet recordOnFloor(const FloorPlan& plan) {
-  const auto robot = withEffects(*plan.model, plan.extra);
+  const auto robot = withEffects(*plan.model, plan.extra, plan.effects);
   LogSet set = simulatedSet(*robot);
   for (const FloorMotion& motion : plan.motions) {
     for (int repeat = 0; repeat < plan.repeats; ++repeat) {

@@ -17,7 +17,7 @@ namespace nao::validation {
 /// How a standing or walking set is recorded from a simulated robot.
 struct FloorPlan {
   std::shared_ptr<const RobotModel> model;  // its effects act; its variation does not
-  std::vector<EffectSetting> extra;         // further effects, the same in every run
+  std::vector<EffectSetting> extra;         // on top of those, the same in every run
   std::vector<FloorMotion> motions;
   /// By a motion's name: what is asked of the robot in place of what the protocol says.
   std::map<std::string, motion::MotionAction> actions{};

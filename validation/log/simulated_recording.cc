@@ -155,7 +155,7 @@ void moveOnly(const std::vector<std::string>& joints,
 }
 
 LogSet recordSimulated(const RecordingPlan& plan) {
-  const auto robot = withEffects(*plan.model, plan.extra);
+  const auto robot = withEffects(*plan.model, plan.extra, plan.effects);
   LogSet set;
   set.name = plan.name;
   set.source = "simulated";

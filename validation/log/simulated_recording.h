@@ -26,7 +26,7 @@ struct RecordingPlan {
   std::string name = "simulated";
   /// Its effects act; its variation does not, so that all repeats are of one robot.
   std::shared_ptr<const RobotModel> model;
-  std::vector<EffectSetting> extra;  // further effects, the same in every run
+  std::vector<EffectSetting> extra;  // on top of those, the same in every run
   std::vector<RecordedMotion> motions;
   int repeats = 6;
   Duration step = std::chrono::microseconds(250);

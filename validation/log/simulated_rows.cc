@@ -1,5 +1,7 @@
 #include "validation/log/simulated_rows.h"
 
+#include "validation/merge_effects.h"
+
 namespace nao::validation {
 namespace {
 
@@ -70,10 +72,12 @@ LogSet simulatedSet(const RobotModel& robot) {
 }
 
 std::shared_ptr<const RobotModel> withEffects(const RobotModel& robot,
-                                              const std::vector<EffectSetting>& extra) {
+                                              const std::vector<EffectSetting>& extra,
+                                              const sim::EffectCatalogue* catalogue) {
   auto changed = std::make_shared<RobotModel>(robot);
   changed->variation.clear();
-  changed->effects.insert(changed->effects.end(), extra.begin(), extra.end());
+  changed->effects =
+      mergedEffects(robot, extra, catalogue != nullptr ? *catalogue : sim::standardEffects());
   return changed;
 }
 

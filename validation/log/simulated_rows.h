@@ -5,6 +5,7 @@
 
 #include "core/robot_io.h"
 #include "core/robot_model.h"
+#include "sim/effects/catalogue.h"
 #include "validation/log/robot_log.h"
 
 namespace nao::validation {
@@ -17,8 +18,10 @@ void addRow(const RobotModel& robot, double t, const SensorFrame& sensors,
 /// A set of a simulated robot on its feet, without runs.
 LogSet simulatedSet(const RobotModel& robot);
 
-/// The robot as it is, but for `extra`: nothing of it is drawn anew.
+/// The robot as it is, but for `extra` on top of its own effects (merge_effects.h): nothing of it
+/// is drawn anew. `catalogue`: null: standardEffects().
 std::shared_ptr<const RobotModel> withEffects(const RobotModel& robot,
-                                              const std::vector<EffectSetting>& extra);
+                                              const std::vector<EffectSetting>& extra,
+                                              const sim::EffectCatalogue* catalogue);
 
 }  // namespace nao::validation

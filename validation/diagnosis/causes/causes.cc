@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/check.h"
-#include "validation/diagnosis/rig/merge_effects.h"
+#include "validation/merge_effects.h"
 
 namespace nao::validation {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "core/config.h"
 #include "validation/diagnosis/report/report_file.h"
-#include "validation/diagnosis/rig/merge_effects.h"
+#include "validation/merge_effects.h"
 
 namespace nao::validation {
 namespace {

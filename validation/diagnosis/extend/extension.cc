@@ -12,7 +12,7 @@
 #include "sim/effects/catalogue.h"
 #include "validation/diagnosis/causes/verdict.h"
 #include "validation/diagnosis/report/report_file.h"
-#include "validation/diagnosis/rig/merge_effects.h"
+#include "validation/merge_effects.h"
 
 namespace nao::validation {
 namespace {

@@ -8,7 +8,7 @@
 #include "validation/diagnosis/replay/whole_replay.h"
 #include "validation/diagnosis/whole/whole_numbers.h"
 #include "validation/diagnosis/whole/whole_spread.h"
-#include "validation/diagnosis/rig/merge_effects.h"
+#include "validation/merge_effects.h"
 
 namespace nao::validation {
 namespace {

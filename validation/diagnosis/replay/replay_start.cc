@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "validation/diagnosis/rig/merge_effects.h"
+#include "validation/merge_effects.h"
 
 namespace nao::validation {
 

@@ -10,8 +10,8 @@
 #include "sim/world.h"
 #include "validation/diagnosis/replay/gait_numbers.h"
 #include "validation/diagnosis/replay/replay_start.h"
-#include "validation/diagnosis/rig/merge_effects.h"
 #include "validation/diagnosis/rig/run_load.h"
+#include "validation/merge_effects.h"
 #include "validation/suspended.h"
 
 namespace nao::validation {

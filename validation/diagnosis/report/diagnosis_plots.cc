@@ -5,7 +5,7 @@
 
 #include "core/check.h"
 #include "sim/effects/catalogue.h"
-#include "validation/diagnosis/rig/merge_effects.h"
+#include "validation/merge_effects.h"
 
 namespace nao::validation {
 namespace {

@@ -2,11 +2,11 @@
 #include <cmath>
 
 #include "core/check.h"
-#include "validation/diagnosis/rig/merge_effects.h"
 #include "validation/diagnosis/rig/rig_simulator.h"
 #include "validation/diagnosis/rig/run_load.h"
 #include "validation/log/series.h"
 #include "validation/log/standard_motions.h"
+#include "validation/merge_effects.h"
 #include "validation/suspended.h"
 
 namespace nao::validation {

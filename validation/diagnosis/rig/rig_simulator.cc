@@ -5,9 +5,9 @@
 
 #include "core/check.h"
 #include "validation/diagnosis/rig/led_joint.h"
-#include "validation/diagnosis/rig/merge_effects.h"
 #include "validation/diagnosis/rig/run_noise.h"
 #include "validation/diagnosis/rig/touched_lines.h"
+#include "validation/merge_effects.h"
 
 namespace nao::validation {
 namespace {

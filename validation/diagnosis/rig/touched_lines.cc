@@ -5,7 +5,7 @@
 
 #include "sim/effects/coupled_stop.h"
 #include "validation/diagnosis/maths/block_bootstrap.h"
-#include "validation/diagnosis/rig/merge_effects.h"
+#include "validation/merge_effects.h"
 
 namespace nao::validation {
 namespace {

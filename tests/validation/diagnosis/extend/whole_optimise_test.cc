@@ -4,8 +4,8 @@
 
 #include "core/check.h"
 #include "tests/support/models.h"
-#include "validation/diagnosis/rig/merge_effects.h"
 #include "validation/log/floor_recording.h"
+#include "validation/merge_effects.h"
 
 namespace nao::validation {
 namespace {

@@ -1,4 +1,4 @@
-#include "validation/diagnosis/rig/merge_effects.h"
+#include "validation/merge_effects.h"
 
 #include <gtest/gtest.h>
 
