@@ -10,6 +10,7 @@ namespace {
 // choice between stiff and sticky.
 constexpr double kCreep = 0.005;
 constexpr double kSquare = 0.05;  // [s/rad] part of grease friction that grows with speed again
+constexpr double kCounts = 3;     // [rad/s] where it is what its coefficient says: as motions go
 
 }  // namespace
 
@@ -34,7 +35,8 @@ sim::EffectType viscousWithSquare() {
           [](const sim::EffectSetup& setup) {
             return driveLaw(setup, [c = setup.value("coefficient")](const sim::DriveMoment& moment,
                                                                     std::size_t j, auto& terms) {
-              terms.viscous[j] += c * (1 + kSquare * std::abs(moment.rate[j]));
+              terms.viscous[j] +=
+                  c * (1 + kSquare * std::abs(moment.rate[j])) / (1 + kSquare * kCounts);
             });
           }};
 }
