@@ -98,10 +98,11 @@ EffectChain::EffectChain(const EffectCatalogue& catalogue,
         {values, joints, model, step, Random(seed, stream, pair), !setting.joints.empty()}));
     names_.push_back(setting.name);
     Effect* const effect = effects_.back().get();
-    if (includes(type.acts, Acts::OnCommand)) on_command_.push_back(effect);
-    if (includes(type.acts, Acts::OnDrive)) on_drive_.push_back(effect);
-    if (includes(type.acts, Acts::OnImu)) on_imu_.push_back(effect);
-    if (includes(type.acts, Acts::OnSensors)) on_sensors_.push_back(effect);
+    const Acts acts = effect->needed(type.acts);
+    if (includes(acts, Acts::OnCommand)) on_command_.push_back(effect);
+    if (includes(acts, Acts::OnDrive)) on_drive_.push_back(effect);
+    if (includes(acts, Acts::OnImu)) on_imu_.push_back(effect);
+    if (includes(acts, Acts::OnSensors)) on_sensors_.push_back(effect);
   }
   Archive saving = Archive::saving(beginning_);
   archive(saving);

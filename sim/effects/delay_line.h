@@ -12,11 +12,11 @@ namespace nao::sim {
 /// of them, read late() or lateWhole(), then next(). Before the first sample everything was as it.
 class DelayLine {
  public:
-  /// `delay` in samples.
+  /// `delay` in samples; down to -1: ahead of the latest, as the last two go on.
   DelayLine(std::size_t numbers, double delay)
       : numbers_(numbers),
-        whole_(static_cast<std::size_t>(std::floor(delay + kRounding))),
-        part_(std::max(0.0, delay - static_cast<double>(whole_))),
+        whole_(static_cast<std::size_t>(std::max(0.0, std::floor(delay + kRounding)))),
+        part_(delay - static_cast<double>(whole_)),
         values_(numbers * slots()) {}
 
   void put(std::size_t i, double value) {
@@ -29,18 +29,6 @@ class DelayLine {
   double late(std::size_t i) const {
     const double later = at(i, whole_);
     return later + part_ * (at(i, whole_ + 1) - later);
-  }
-  /// By a cubic through the four samples around, of which the latest may lack: for what changes
-  /// smoothly.
-  double lateSmooth(std::size_t i) const {
-    const double p = part_, later = at(i, whole_), earlier = at(i, whole_ + 1);
-    const double last = at(i, whole_ + 2);
-    if (whole_ == 0) {
-      return (p - 1) * (p - 2) / 2 * later + p * (2 - p) * earlier + p * (p - 1) / 2 * last;
-    }
-    const double first = at(i, whole_ - 1);
-    return ((2 - p) * (p - 1) * p * first + (p + 1) * p * (p - 1) * last) / 6 +
-           ((p + 1) * (p - 1) * (p - 2) * later + (p + 1) * p * (2 - p) * earlier) / 2;
   }
   /// The later of the two, for what does not pass through values in between.
   double lateWhole(std::size_t i) const { return at(i, whole_); }
@@ -58,7 +46,7 @@ class DelayLine {
  private:
   static constexpr double kRounding = 1e-9;  // a delay of whole samples is one after a division too
 
-  std::size_t slots() const { return whole_ + 3; }
+  std::size_t slots() const { return whole_ + 2; }
   double at(std::size_t i, std::size_t ago) const {
     const std::size_t slot = newest_ < ago ? newest_ + slots() - ago : newest_ - ago;
     return values_[slot * numbers_ + i];

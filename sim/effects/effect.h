@@ -55,6 +55,15 @@ struct DriveTerms {
   JointArray<double> disturbance;      // [N m] on the link
 };
 
+/// Which of the calls an effect overrides every step or cycle: the others cost nothing.
+enum class Acts : unsigned { Once = 0, OnCommand = 1, OnDrive = 2, OnSensors = 4, OnImu = 8 };
+constexpr Acts operator|(Acts a, Acts b) {
+  return static_cast<Acts>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+constexpr bool includes(Acts all, Acts one) {
+  return (static_cast<unsigned>(all) & static_cast<unsigned>(one)) != 0;
+}
+
 /// One imperfection of the real robot, acting on some of its joints or on all. An effect overrides
 /// the few places where it acts; each call handles all joints. Parameters and joints are fixed at
 /// construction; what changes with time is listed in archive(). One simulation thread.
@@ -77,20 +86,13 @@ class Effect {
   /// Every `cycle` of the robot, after all sensors: noise, bias, delay.
   virtual void alterSensors(SensorFrame& /*frame*/, Duration /*cycle*/) {}
 
+  /// Which of the calls that its type lists this one needs: the others cost nothing.
+  virtual Acts needed(Acts listed) const { return listed; }
   /// What changes with time: saved, restored and hashed.
   virtual void archive(Archive&) {}
   /// The random numbers that this run's effect has drawn for good, by name.
   virtual void listDraw(std::map<std::string, double>& /*draw*/) const {}
 };
-
-/// Which of the calls an effect overrides every step or cycle: the others cost nothing.
-enum class Acts : unsigned { Once = 0, OnCommand = 1, OnDrive = 2, OnSensors = 4, OnImu = 8 };
-constexpr Acts operator|(Acts a, Acts b) {
-  return static_cast<Acts>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
-}
-constexpr bool includes(Acts all, Acts one) {
-  return (static_cast<unsigned>(all) & static_cast<unsigned>(one)) != 0;
-}
 
 /// What an effect is made from.
 struct EffectSetup {

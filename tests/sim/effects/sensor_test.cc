@@ -11,18 +11,25 @@ namespace {
 using std::chrono_literals::operator""ms;
 
 constexpr double kCycle = 0.01;
+constexpr Duration kStep = 1ms;
 constexpr double kCount = 2 * M_PI / 4096;
 
 // What the encoder reports, cycle by cycle, while the joint is at `truth(t)`.
 template <class Truth>
 std::vector<double> reported(const std::vector<EffectSetting>& effects, int cycles, Truth truth) {
-  EffectChain chain = chainOf(*nao::test::pendulum(1, 1), effects);
+  EffectChain chain = chainOf(*nao::test::pendulum(1, 1), effects, 1, kStep);
+  const JointArray<double> none(1, 0.0);
+  DriveTerms terms;
   std::vector<double> angles;
-  for (int i = 0; i < cycles; ++i) {
-    SensorFrame frame;
-    frame.angle = frame.current = JointArray<double>(1, truth(i * kCycle));
-    chain.alterSensors(frame, 10ms);
-    angles.push_back(frame.angle[0]);
+  for (SimTime now{}; angles.size() < static_cast<std::size_t>(cycles); now += kStep) {
+    const JointArray<double> angle(1, truth(toSeconds(now)));
+    if (now.time_since_epoch() % 10ms == Duration{}) {
+      SensorFrame frame;
+      frame.angle = frame.current = angle;
+      chain.alterSensors(frame, 10ms);
+      angles.push_back(frame.angle[0]);
+    }
+    chain.alterDrive({now, toSeconds(kStep), angle, none, none, none, none, none}, terms);
   }
   return angles;
 }
@@ -70,16 +77,27 @@ TEST(SensorDelay, ShiftsWhatIsReported) {
   }
 }
 
-// A cubic between samples is off by 3/128 h^4 q'''' at most; a parabola, where the latest sample
-// lacks, by h^3 q''' / (9 sqrt(3)).
+// Between steps angles run straight: off by h^2 q'' / 8 at most, and where the latest step is ahead
+// of what is known by q'' h^2.
 TEST(SensorDelay, FollowsAnglesThatBend) {
   const auto swing = [](double t) { return 0.3 * std::sin(10 * t); };
-  for (const double delay : {0.004, 0.013, 0.025}) {
+  for (const double delay : {0.0004, 0.004, 0.013, 0.0253}) {
     const auto angles = reported({effect("sensor_delay", {{"delay", delay}})}, 50, swing);
-    const double most = delay < kCycle ? 0.3 * 1e3 * std::pow(kCycle, 3) / (9 * std::sqrt(3.0))
-                                       : 0.3 * 1e4 * std::pow(kCycle, 4) * 3 / 128;
+    const double bend = 0.3 * 1e2 * std::pow(toSeconds(kStep), 2);
+    const double most = delay < toSeconds(kStep) ? bend : bend / 8;
     for (std::size_t i = 6; i < angles.size(); ++i) {
       ASSERT_NEAR(angles[i], swing(static_cast<double>(i) * kCycle - delay), most) << delay;
+    }
+  }
+}
+
+// A joint that starts between two readings: no curve through readings knows when.
+TEST(SensorDelay, KnowsWhenAJointStarted) {
+  const auto start = [](double t) { return std::max(0.0, t - 0.204); };
+  for (const double delay : {0.003, 0.01, 0.017}) {
+    const auto angles = reported({effect("sensor_delay", {{"delay", delay}})}, 50, start);
+    for (std::size_t i = 6; i < angles.size(); ++i) {
+      ASSERT_NEAR(angles[i], start(static_cast<double>(i) * kCycle - delay), 1e-12) << delay;
     }
   }
 }
