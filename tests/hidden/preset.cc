@@ -206,7 +206,7 @@ class Dealer {
 
 Counts countsOf(const std::string& preset) {
   if (preset == "quick") return {1, 1, 4, 1, 1, 1, 5, 1, 1, 0, 1, 0, 1};
-  if (preset == "standard") return {51, 52, 108, 18, 13, 8, 18, 6, 12, 2, 4, 2, 6, 4};
+  if (preset == "standard") return {51, 52, 108, 18, 13, 8, 18, 6, 12, 2, 4, 2, 6, 3};
   if (preset == "full") return {150, 150, 300, 60, 60, 56, 24, 20, 50, 8, 24, 12, 36};
   throw InputError("--preset: expected quick, standard or full, found '" + preset + "'");
 }

@@ -17,7 +17,7 @@ struct Counts {
 };
 
 /// "quick", "standard" or "full", by which bars are judged. "standard" is what a change is tried
-/// with: its 300 sets have motions of two thirds the length and few robots on their feet, as it is
+/// with: its 300 sets have motions of half the length and few robots on their feet, as it is
 /// to take two cores no more than an hour and a half. @throws InputError for another word.
 Counts countsOf(const std::string& preset);
 
