@@ -73,9 +73,9 @@ TEST_P(EachEffect, TellsItsParametersWithinTheirBounds) {
 }
 
 // What it remembers is saved: half a run, restored, goes on as the whole one did.
-TEST_P(EachEffect, GoesOnFromASnapshotBitByBit) {
+void expectToGoOnFromASnapshot(const EffectSetting& remembers) {
   auto model = std::make_shared<RobotModel>(*nao::test::robot("nao_h21_v33_ideal"));
-  model->effects = {effect(GetParam())};
+  model->effects = {remembers};
   World world(nao::test::flatWorld(), {{"nao", model, {}}}, WorldOptions(2ms));
   const JointArray<double> angle = model->findPosture("StandInit")->angle;
   world.placeRobot(0, {}, &angle);
@@ -94,6 +94,12 @@ TEST_P(EachEffect, GoesOnFromASnapshotBitByBit) {
   const std::uint64_t first = goOn();
   world.restore(*snapshot);
   EXPECT_EQ(goOn(), first);
+}
+
+TEST_P(EachEffect, GoesOnFromASnapshotBitByBit) { expectToGoOnFromASnapshot(effect(GetParam())); }
+
+TEST(SensorDelay, OfNoWholeCycleGoesOnFromASnapshotBitByBit) {
+  expectToGoOnFromASnapshot(effect("sensor_delay", {{"delay", 0.0173}}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, EachEffect, testing::ValuesIn(names()),
