@@ -12,7 +12,6 @@
 #include "tests/hidden/response.h"
 #include "tests/hidden/scaling.h"
 #include "validation/log/simulated_recording.h"
-#include "validation/merge_effects.h"
 #include "validation/suspended.h"
 
 namespace nao::hidden {
@@ -213,14 +212,6 @@ class Maker {
     truth_.shortfall += hideout.law + " is imitated here by " + hidden.look_alikes.front() + "; ";
   }
 
-  // A coarser encoder does not add to the model's own count, it takes its place.
-  double replaced(const Hideout& hideout) const {
-    if (hideout.law != "encoder_quantum") return 0;
-    const std::size_t joint = index(*plan_.model->findJoint(hidden_.joints.front()));
-    return validation::presentDeviation(*plan_.model, joint, hideout.law, hideout.parameter,
-                                        hiddenEffects());
-  }
-
   void note(const Wish& wish, const EffectSetting& setting, double deviation, double size) {
     const Hideout& hideout = wish.hideout;
     HiddenTruth one;
@@ -229,7 +220,7 @@ class Maker {
     one.parameter = hideout.parameter;
     if (!hideout.whole_robot) one.joint = placeOf(hideout);
     one.value = setting.parameters.at(hideout.parameter);
-    one.deviation = deviation - replaced(hideout);
+    one.deviation = deviation;
     one.size = size;
     one.inverse = hideout.inverse;
     one.comparable = hideout.comparable;
