@@ -1,10 +1,11 @@
 // Angles and currents are reported late: q'(t) = q(t - delay). Of a delay that is no whole number
 // of cycles, a reading is that of the cycle before and what the joint has turned by since, step by
-// step: between readings nobody knows where a joint starts or stops (a cubic through them was 3
-// mrad off there, which diagnoses told as 0.3 ms more of delay). Currents, which jump, run straight
-// between cycles. The servo is on the motor board and sees all at once. Source: transport over the
-// robot's bus.
+// step: no curve through readings knows when a joint starts or stops between them (by one,
+// diagnoses told delays 0.3 ms too long). Currents, which jump, run straight between cycles. The
+// servo is on the motor board and sees all at once. Source: transport over the robot's bus.
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "sim/effects/delay_line.h"
 #include "sim/effects/effect.h"
