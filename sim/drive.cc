@@ -54,14 +54,7 @@ void Drive::prepare(const JointCommand& command, const double* q, const double* 
     input.command = command.angle[j];
     input.stiffness = command.stiffness[j];
     input.open = input.stiffness < 0 && boardIsOff(command, place);
-    if (terms) {
-      input.resist_forward = terms->resist_forward[j];
-      input.resist_backward = terms->resist_backward[j];
-      input.viscous = terms->viscous[j];
-      input.torque_part = terms->torque_part[j];
-      input.speed_part = terms->speed_part[j];
-      input.disturbance = terms->disturbance[j];
-    }
+    if (terms) input.take(*terms, j);
     motors_[i].prepare(input);
   }
 }

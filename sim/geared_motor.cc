@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/effects/effect.h"
+
 namespace nao::sim {
 namespace {
 
@@ -42,6 +44,18 @@ GearedMotor::GearedMotor(const Actuator& a, const Transmission& gear)
       half_play_(gear.play / 2),
       stiffness_(gear.stiffness > 0 ? gear.stiffness : kHardGear),
       damping_(gear.stiffness > 0 ? gear.damping : 2 * std::sqrt(kHardGear * a.rotor_inertia)) {}
+
+void GearedMotor::Input::take(const DriveTerms& terms, std::size_t joint) {
+  resist_forward = terms.resist_forward[joint];
+  resist_backward = terms.resist_backward[joint];
+  creep_forward = terms.creep_forward[joint];
+  creep_backward = terms.creep_backward[joint];
+  creep_slope = terms.creep_slope[joint];
+  viscous = terms.viscous[joint];
+  torque_part = terms.torque_part[joint];
+  speed_part = terms.speed_part[joint];
+  disturbance = terms.disturbance[joint];
+}
 
 void GearedMotor::reset(double q) {
   angle_ = q;
@@ -128,13 +142,22 @@ void GearedMotor::prepareFriction(const Input& input) {
     const double held = part * stall_ * (1 / efficiency_ - efficiency_);
     (servo_ > 0 ? resist_backward_ : resist_forward_) += held;
   }
+  rest_ = resist_forward_ > 0 || resist_backward_ > 0 ? kRest : input.creep_slope;
+  resist_forward_ += input.creep_forward;
+  resist_backward_ += input.creep_backward;
   if (resist_forward_ <= 0 && resist_backward_ <= 0) {
     grip_ = Grip::None;
   } else if (grip_ == Grip::None) {
     grip_ = Grip::Stuck;
   }
-  if (grip_ == Grip::Sliding && rate_ == 0) grip_ = Grip::Stuck;
+  if (grip_ == Grip::Sliding && !slidesAt(rate_)) grip_ = Grip::Stuck;
   if (grip_ == Grip::Sliding) slide(rate_);
+}
+
+// Whether friction is at its budget at this rate, as it slides.
+bool GearedMotor::slidesAt(double rate) const {
+  const double budget = rate > 0 ? resist_forward_ : resist_backward_;
+  return rate != 0 && rest_ * std::abs(rate) >= budget;
 }
 
 void GearedMotor::slide(double direction) {
@@ -143,11 +166,14 @@ void GearedMotor::slide(double direction) {
 }
 
 double GearedMotor::frictionNow() const {
-  if (grip_ == Grip::Stuck) return -kRest * rate_;
+  if (grip_ == Grip::Stuck) return -frictionChange() * rate_;
   return (grip_ == Grip::Sliding ? slide_ : 0) - viscous_ * rate_;
 }
 
-double GearedMotor::frictionChange() const { return grip_ == Grip::Stuck ? kRest : viscous_; }
+double GearedMotor::frictionChange() const {
+  if (grip_ != Grip::Stuck) return viscous_;
+  return rest_ == kRest ? kRest : rest_ + viscous_;
+}
 
 void GearedMotor::prepareGear(const Input& input) {
   if (!soft_) return;
@@ -206,11 +232,11 @@ bool GearedMotor::reviseFriction(double dw) {
   if (grip_ == Grip::None || grip_changes_ >= kChanges) return false;
   const double rate = rate_ + dw;  // at the end of the step
   if (grip_ == Grip::Stuck) {
-    const double needed = -kRest * rate;
+    const double needed = -rest_ * rate;
     if (needed <= resist_backward_ && needed >= -resist_forward_) return false;
     slide(rate);
   } else {
-    if (slide_ * rate <= 0) return false;
+    if (slide_ * rate <= 0 && slidesAt(rate)) return false;
     grip_ = Grip::Stuck;
   }
   ++grip_changes_;

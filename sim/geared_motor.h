@@ -6,13 +6,17 @@
 
 namespace nao::sim {
 
+struct DriveTerms;
+
 /// One motor with its gear, linearly implicit in angle and rate over a step of h:
 ///   servo      kp (command - theta) - kd theta',  at most stiffness * efficiency * stall *
 ///              (1 - |theta'| / no-load speed while driving); a part `duty_root` of its duty
 ///              d = kp (command - theta) / (efficiency * stall) may be sign(d) sqrt|d| instead.
 ///              At its limit the gear holds more than it lifts: a load that turns the motor back
 ///              loses as large a part in it, so that it takes stiffness * stall / efficiency
-///   friction   as much of its budget as stops the motion, never more: it really sticks
+///   friction   as much of its budget as stops the motion, never more: it really sticks. What
+///              creeps gives way in proportion to its torque, up to its budget; beside friction
+///              that sticks it does, too
 ///   gear       rigid; or with play and compliance: then the rotor's angle theta is a state of its
 ///              own, and T = k deadzone(theta - q) + d (theta' - q') turns the link. theta' is
 ///              eliminated by one scalar solve, so that the link sees one implicit torque.
@@ -31,9 +35,13 @@ class GearedMotor {
     double stiffness = 0;
     bool open = false;  // windings open: without current it does not brake
     double resist_forward = 0, resist_backward = 0;  // [N m] budgets of friction
+    double creep_forward = 0, creep_backward = 0;    // [N m] of friction that creeps
+    double creep_slope = 0;                          // [N m s/rad] of the same
     double viscous = 0;                              // [N m s/rad]
     double torque_part = 1, speed_part = 1;
     double disturbance = 0;  // [N m] on the link
+
+    void take(const DriveTerms& terms, std::size_t joint);
   };
 
   /// The rotor at rest where the link is.
@@ -72,6 +80,7 @@ class GearedMotor {
   void bendServo(double error, double& torque, double& slope) const;
   void prepareFriction(const Input& input);
   void prepareGear(const Input& input);
+  bool slidesAt(double rate) const;
   void slide(double direction);
   void engage(int side);
   void combine();
@@ -96,7 +105,7 @@ class GearedMotor {
   double h_ = 0;
   double servo_ = 0, servo_change_ = 0, limit_up_ = 0, limit_down_ = 0;
   bool saturated_ = false;
-  double resist_forward_ = 0, resist_backward_ = 0, viscous_ = 0, slide_ = 0;
+  double resist_forward_ = 0, resist_backward_ = 0, rest_ = 0, viscous_ = 0, slide_ = 0;
   double gap_ = 0, closing_ = 0;  // rotor before link, at the end of the step as rates are now
   int side_ = 0;                  // which end of the play pushes; 0: neither
   double gear_ = 0, gear_change_ = 0;

@@ -185,14 +185,7 @@ void JointRigRun::step() {
   input.h = h_;
   input.q = q_;
   input.u = u_;
-  if (const DriveTerms* terms = calcTerms()) {
-    input.resist_forward = terms->resist_forward[0];
-    input.resist_backward = terms->resist_backward[0];
-    input.viscous = terms->viscous[0];
-    input.torque_part = terms->torque_part[0];
-    input.speed_part = terms->speed_part[0];
-    input.disturbance = terms->disturbance[0];
-  }
+  if (const DriveTerms* terms = calcTerms()) input.take(*terms, 0);
   if (torque_.acts()) input.disturbance += torque_.next();
   input.command = followed_.angle[0];
   input.stiffness = followed_.stiffness[0];

@@ -60,17 +60,17 @@ JointArray<bool> maskOf(const EffectSetting& setting, const RobotModel& model) {
 }  // namespace
 
 void DriveTerms::reset(std::size_t joints) {
-  if (resist_forward.size() != joints) {
-    for (JointArray<double>* term :
-         {&resist_forward, &resist_backward, &viscous, &disturbance, &torque_part, &speed_part}) {
-      *term = JointArray<double>(joints);
-    }
-  }
-  for (JointArray<double>* term : {&resist_forward, &resist_backward, &viscous, &disturbance}) {
-    std::fill(term->begin(), term->end(), 0.0);
-  }
-  std::fill(torque_part.begin(), torque_part.end(), 1.0);
-  std::fill(speed_part.begin(), speed_part.end(), 1.0);
+  JointArray<double>* const sums[] = {&resist_forward, &resist_backward, &creep_forward,
+                                      &creep_backward, &creep_slope,     &viscous,
+                                      &disturbance};
+  JointArray<double>* const parts[] = {&torque_part, &speed_part};
+  const bool resized = viscous.size() != joints;
+  const auto fill = [&](JointArray<double>& term, double value) {
+    if (resized) term = JointArray<double>(joints);
+    std::fill(term.begin(), term.end(), value);
+  };
+  for (JointArray<double>* term : sums) fill(*term, 0);
+  for (JointArray<double>* term : parts) fill(*term, 1);
 }
 
 void EffectCatalogue::add(EffectType type) {

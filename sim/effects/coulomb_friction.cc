@@ -1,5 +1,5 @@
 // Dry friction of motor and gear: |T_friction| <= torque, against the motion, or what holds still.
-// With `creep` it does not stick: |T| = torque tanh(|q'| / creep), so that a load turns the joint
+// With `creep` it does not stick: |T| = torque min(1, |q'| / creep), so that a load turns the joint
 // slowly. Source: Coulomb's law; the step's solve sticks within the budget (sim/geared_motor.h).
 #include "sim/effects/creep.h"
 #include "sim/effects/effect.h"
@@ -12,14 +12,14 @@ class CoulombFriction final : public Effect {
   explicit CoulombFriction(const EffectSetup& setup)
       : joints_(setup.hinged()), torque_(setup.value("torque")), creep_(setup.value("creep")) {}
 
-  void alterDrive(const DriveMoment& moment, DriveTerms& terms) override {
+  void alterDrive(const DriveMoment&, DriveTerms& terms) override {
     for (const std::size_t j : joints_) {
       if (creep_ > 0) {
-        terms.viscous[j] += creepDamping(torque_, creep_, moment.rate[j]);
-        continue;
+        addCreep(torque_, torque_, creep_, j, terms);
+      } else {
+        terms.resist_forward[j] += torque_;
+        terms.resist_backward[j] += torque_;
       }
-      terms.resist_forward[j] += torque_;
-      terms.resist_backward[j] += torque_;
     }
   }
 

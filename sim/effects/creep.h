@@ -1,15 +1,19 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+
+#include "sim/effects/effect.h"
 
 namespace nao::sim {
 
-/// What stands for a dry friction of `torque` [N m] that does not stick: |T| = torque tanh(|q'| /
-/// creep), as damping [N m s/rad] at this rate [rad/s]; `creep` above 0 [rad/s]. A joint that has
-/// not begun to move is held by half of it.
-inline double creepDamping(double torque, double creep, double rate) {
-  if (rate == 0) return std::abs(torque) / creep / 2;
-  return std::abs(torque * std::tanh(rate / creep) / rate);
+/// Adds a dry friction of `torque` [N m] at one joint that does not stick: |T| = torque min(1, |q'|
+/// / creep), `creep` above 0 [rad/s]; of both directions, or against one only.
+inline void addCreep(double forward, double backward, double creep, std::size_t joint,
+                     DriveTerms& terms) {
+  terms.creep_forward[joint] += forward;
+  terms.creep_backward[joint] += backward;
+  terms.creep_slope[joint] += std::max(forward, backward) / creep;
 }
 
 }  // namespace nao::sim

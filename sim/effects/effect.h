@@ -42,13 +42,17 @@ struct DriveMoment {
 
 /// What effects add to the ideal drives for one step; arrays are indexed by Joint. Friction is a
 /// budget, the most that a joint can resist: the step's solve takes as much of it as stops the
-/// motion, never more, so that a joint really sticks. Budgets of several effects add up.
+/// motion, never more, so that a joint really sticks. Budgets of several effects add up. Friction
+/// that creeps resists by as much at most, and in proportion to a slow joint's rate: `creep_slope`.
 struct DriveTerms {
   /// Those of ideal drives.
   void reset(std::size_t joints);
 
   JointArray<double> resist_forward;   // [N m] dry friction against motion towards larger angles
   JointArray<double> resist_backward;  // [N m] against motion towards smaller angles
+  JointArray<double> creep_forward;    // [N m] the same of friction that creeps
+  JointArray<double> creep_backward;   // [N m]
+  JointArray<double> creep_slope;      // [N m s/rad]
   JointArray<double> viscous;          // [N m s/rad]
   JointArray<double> torque_part;      // of the torque limit that is left, 1: all
   JointArray<double> speed_part;       // of the no-load speed that is left, 1: all

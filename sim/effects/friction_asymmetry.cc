@@ -1,6 +1,6 @@
 // Dry friction in one direction only: budget of |torque| against motion towards larger angles if
-// torque > 0, towards smaller angles if < 0. With `creep` it does not stick: |T| = torque
-// tanh(|q'| / creep), so that a load turns the joint slowly. Source: uneven wear of gear and
+// torque > 0, towards smaller angles if < 0. With `creep` it does not stick: |T| = |torque|
+// min(1, |q'| / creep), so that a load turns the joint slowly. Source: uneven wear of gear and
 // brushes; free choice of form, so that it adds to every other friction.
 #include <algorithm>
 
@@ -15,16 +15,15 @@ class FrictionAsymmetry final : public Effect {
   explicit FrictionAsymmetry(const EffectSetup& setup)
       : joints_(setup.hinged()), torque_(setup.value("torque")), creep_(setup.value("creep")) {}
 
-  void alterDrive(const DriveMoment& moment, DriveTerms& terms) override {
+  void alterDrive(const DriveMoment&, DriveTerms& terms) override {
+    const double forward = std::max(torque_, 0.0), backward = std::max(-torque_, 0.0);
     for (const std::size_t j : joints_) {
       if (creep_ > 0) {
-        if (moment.rate[j] * torque_ >= 0) {
-          terms.viscous[j] += creepDamping(torque_, creep_, moment.rate[j]);
-        }
-        continue;
+        addCreep(forward, backward, creep_, j, terms);
+      } else {
+        terms.resist_forward[j] += forward;
+        terms.resist_backward[j] += backward;
       }
-      terms.resist_forward[j] += std::max(torque_, 0.0);
-      terms.resist_backward[j] += std::max(-torque_, 0.0);
     }
   }
 

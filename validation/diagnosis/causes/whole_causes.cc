@@ -52,6 +52,8 @@ const Ids kStops{"joint_stop.upper", "joint_stop.lower"};
 // sticks creeps, and how softly a dead band ends.
 const Ids kOneNumber{"link_mass", "load_friction", "backlash", "gear_compliance"};
 const Ids kOneNumberOnFeet{"coulomb_friction", "servo_deadband"};
+// But of all joints at once: what creeps, told as what sticks, leaves gains of arms to be found.
+const std::string kCreeping = "coulomb_friction";
 
 std::vector<Cause> reduced(std::vector<Cause> all, const Ids& ids) {
   for (Cause& cause : all) {
@@ -217,7 +219,7 @@ Cause sensorCause(const std::string& effect, const std::string& parameter, doubl
 }
 
 void addEverywhere(Builder& builder, const std::string& id, bool hangs) {
-  const Cause* cause = find(id, hangs);
+  const Cause* cause = find(id, hangs || id == kCreeping);
   if (cause == nullptr) return;
   builder.add(id == "command_hold" && !hangs ? withPhase(*cause) : *cause, "robot", {});
 }
