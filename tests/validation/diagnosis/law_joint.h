@@ -60,7 +60,7 @@ class LawJoint final : public JointSimulator {
 
 /// Such a joint, and what fits of one cause to it need.
 struct LawSearch {
-  LawSearch(const std::string& id, const LawJoint& joint)
+  LawSearch(const std::string& id, const JointSimulator& joint)
       : causes{bounded(id, joint)},
         data(joint, kNoNoise),
         ensemble(joint, data, kNoNoise, 1000000),

@@ -47,22 +47,30 @@ SizeSearch::Point SizeSearch::near(const std::vector<double>& x) const {
 SizeSearch::Point SizeSearch::reshaped(const std::vector<double>& x) const {
   Point best = at(x);
   for (const double part : {0.5, 0.25}) {
-    for (std::size_t i = 1; i < x.size(); ++i) best = reshaped(best, i, part);
+    for (std::size_t i = 1; i < x.size(); ++i) {
+      for (const double way : {-part, part}) best = reshaped(best, best.x, {{i, way}});
+    }
+    if (x.size() != 3 || causes_[cause_].ripples) continue;
+    const std::vector<double> centre = best.x;
+    for (const double one : {-part, part}) {
+      for (const double other : {-part, part}) {
+        best = reshaped(best, centre, {{1, one}, {2, other}});
+      }
+    }
   }
   return best;
 }
 
-SizeSearch::Point SizeSearch::reshaped(const Point& from, std::size_t number, double part) const {
-  const FreeNumber& shape = causes_[cause_].free[number];
-  const auto [low, high] = std::minmax_element(shape.starts.begin(), shape.starts.end());
-  const double step = part * (*high - *low);
-  Point best = from;
-  for (const double moved : {from.x[number] - step, from.x[number] + step}) {
-    std::vector<double> other = from.x;
-    other[number] = std::clamp(moved, shape.lower, shape.upper);
-    if (other != from.x) best = std::max(best, followed(at(other)), &isWorse);
+// The best so far, or from these numbers with some moved by a part of their starts' way.
+SizeSearch::Point SizeSearch::reshaped(const Point& best, const std::vector<double>& from,
+                                       const std::map<std::size_t, double>& moves) const {
+  std::vector<double> x = from;
+  for (const auto& [number, part] : moves) {
+    const FreeNumber& shape = causes_[cause_].free[number];
+    const auto [low, high] = std::minmax_element(shape.starts.begin(), shape.starts.end());
+    x[number] = std::clamp(x[number] + part * (*high - *low), shape.lower, shape.upper);
   }
-  return best;
+  return x == from ? best : std::max(best, followed(at(x)), &isWorse);
 }
 
 SizeSearch::Point SizeSearch::at(const std::vector<double>& x) const {

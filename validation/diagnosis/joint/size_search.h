@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "validation/diagnosis/joint/stage.h"
@@ -29,13 +30,14 @@ class SizeSearch {
   /// The best size close to these numbers.
   Point near(const std::vector<double>& x) const;
   /// From these, the best with what shapes the cause half and a quarter of its starts' way further
-  /// or less; the size goes along. Fits of both at once creep along where one makes up for the
-  /// other.
+  /// or less, two shapes at once too; the size goes along. Fits of all at once creep along where
+  /// one makes up for the other.
   Point reshaped(const std::vector<double>& x) const;
 
  private:
   Point at(const std::vector<double>& x) const;
-  Point reshaped(const Point& from, std::size_t number, double part) const;
+  Point reshaped(const Point& best, const std::vector<double>& from,
+                 const std::map<std::size_t, double>& moves) const;
   Point scanned(Point best) const;
   Point reached(const Point& from) const;
   Point beating(Point best) const;

@@ -168,5 +168,54 @@ TEST(CandidateFit, FindsTheBottomOfANarrowValley) {
   EXPECT_GT(fit.gain, 0.99 * of.stage.white(of.stage.raw()).squaredNorm() / 2);
 }
 
+// Its angle is what a Stribeck curve makes of a rate that goes from nothing to 1 rad/s.
+class FadingJoint final : public JointSimulator {
+ public:
+  FadingJoint() {
+    const EffectSetting truth{
+        "stribeck_friction", {{"torque", 1}, {"speed", 0.2}, {"exponent", 0.8}}, {}, ""};
+    measured_ = {{"fit", Split::Fit, 0.01, {}}, {"select", Split::Select, 0.01, {}}};
+    for (JointMotion& motion : measured_) {
+      for (std::uint64_t r = 0; r < 6; ++r) motion.repeats.push_back(angle({truth}, 1000 + r));
+    }
+  }
+
+  std::string joint() const override { return "Fading"; }
+  const std::vector<JointMotion>& measured() const override { return measured_; }
+  Eigen::MatrixXd run(const std::vector<EffectSetting>& causes, std::size_t motion,
+                      std::uint64_t stream, const JointNoise&) const override {
+    return angle(causes, 10 * stream + motion);
+  }
+
+ private:
+  static Eigen::MatrixXd angle(const std::vector<EffectSetting>& causes, std::uint64_t stream) {
+    Random random(stream, "fading");
+    Eigen::MatrixXd angle = Eigen::MatrixXd::Zero(300, 1);
+    for (Eigen::Index k = 0; k < angle.rows(); ++k) {
+      const double rate = static_cast<double>(k) / 300;
+      for (const EffectSetting& cause : causes) {
+        const sim::ParameterValues& of = cause.parameters;
+        angle(k, 0) +=
+            of.at("torque") * std::exp(-std::pow(rate / of.at("speed"), of.at("exponent")));
+      }
+      angle(k, 0) += 2e-2 * random.normal();
+    }
+    return angle;
+  }
+
+  std::vector<JointMotion> measured_;
+};
+
+// From twice the speed and a Gaussian's exponent either alone only makes it worse. A friction that
+// fades with the square of speed was told as a Gaussian of 0.36 rad/s and a remainder for that.
+TEST(CandidateFit, MovesTwoShapesThatMakeUpForEachOther) {
+  const FadingJoint joint;
+  LawSearch of("stribeck_friction", joint);
+  const std::vector<double> start{0.85, 0.24, 0};  // 0.34 rad/s, 2
+  const QuickFit fit = reshaped(of.ensemble, of.stage, of.causes, {0, start, 0}, of.effort);
+  const double all = of.stage.white(of.stage.raw()).squaredNorm() / 2;
+  EXPECT_GT(fit.gain, 0.995 * all);
+}
+
 }  // namespace
 }  // namespace nao::validation
