@@ -96,6 +96,18 @@ TEST(RateLimit, TurnsAStepIntoARamp) {
   }
 }
 
+// From where less is left than the ramp goes in the time of its ease, it goes on as an exponential.
+TEST(RateLimit, MayArriveGently) {
+  constexpr double kRate = 5, kEase = 0.002;
+  const auto limited =
+      followed({effect("rate_limit", {{"rate", kRate}, {"ease", kEase}})}, 250, step);
+  const double part = 1 - std::exp(-kStep / kEase);  // of what is left, in a step
+  for (std::size_t i = 5; i < limited.size(); ++i) {
+    const double left = 1 - (i > 5 ? limited[i - 1] : 0);
+    ASSERT_NEAR(limited[i], 1 - left + std::min(kRate * kStep, part * left), 1e-12);
+  }
+}
+
 TEST(CommandFilter, AnswersAStepWithAnExponential) {
   constexpr double kTime = 0.03;
   const auto smooth = followed({effect("command_filter", {{"time", kTime}})}, 200, step);

@@ -233,8 +233,10 @@ void addTiming(std::vector<Cause>& all) {
   all.push_back(forAll(byGrid(one("command_filter", "time", {0.005, 0.015, 0.05},
                                   "{joint}'s command is smoothed over {value}",
                                   "steps and fast sweeps: a lag, not a delay"))));
-  Cause rate = byGrid(one("rate_limit", "rate", {0.2, 0.7},
-                          "{joint}'s command moves at most with {value}", "steps of two sizes"));
+  Cause rate =
+      byGrid(shaped(one("rate_limit", "rate", {0.2, 0.7},
+                        "{joint}'s command moves at most with {value}", "steps of two sizes"),
+                    "ease", {0, 0.001}));
   rate.free[0].form = Form::Inverse;
   rate.free[0].smallest = 0.02;  // [s/rad] a limit of 50 rad/s, which no motor here follows
   // Nothing is to be seen of a limit that commands do not reach, and most things of a lower one.

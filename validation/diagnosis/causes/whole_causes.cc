@@ -48,9 +48,9 @@ const Ids kHull{"coupled_stop.upper", "coupled_stop.lower"};
 const Ids kStops{"joint_stop.upper", "joint_stop.lower"};
 
 // Second numbers that are left to the joint: how the weight of a heavier link is spread, what
-// friction goes with, how softly a gear gives way; of robots on their feet also how slowly what
-// sticks creeps, and how softly a dead band ends.
-const Ids kOneNumber{"link_mass", "load_friction", "backlash", "gear_compliance"};
+// friction goes with, how softly a gear gives way, how gently a command arrives; of robots on their
+// feet also how slowly what sticks creeps, and how softly a dead band ends.
+const Ids kOneNumber{"link_mass", "load_friction", "backlash", "gear_compliance", "rate_limit"};
 const Ids kOneNumberOnFeet{"coulomb_friction", "servo_deadband"};
 // But of all joints at once: what creeps, told as what sticks, leaves gains of arms to be found.
 const std::string kCreeping = "coulomb_friction";

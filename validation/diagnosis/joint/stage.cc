@@ -83,22 +83,25 @@ bool Stage::isTaken(std::size_t cause) const {
   return std::find(given_.begin(), given_.end(), cause) != given_.end() || has(model_, cause);
 }
 
-// One run per motion tells which of many sizes is worth a look.
+// One run per motion tells which of many sizes is worth a look; what shapes them is nominal.
 void Stage::scan(std::size_t cause) {
   const auto settings = settingsOf(causes_, model_);
   const Eigen::VectorXd before = ensemble_.rough(settings);
   std::vector<double> sizes = causes_[cause].scan;
   std::sort(sizes.begin(), sizes.end());
   const FreeNumber& number = causes_[cause].free[0];
+  std::vector<double> x(causes_[cause].free.size(), 0);
   std::vector<Response> row;
-  for (const double x : sizes) {
-    if (x < number.lower || x > number.upper) continue;
+  for (const double size : sizes) {
+    if (size < number.lower || size > number.upper) continue;
+    x[0] = size;
     CauseList with = model_;
-    with.push_back({cause, {x}});
-    row.push_back({x, white(ensemble_.rough(settingsOf(causes_, with)) - before)});
+    with.push_back({cause, x});
+    row.push_back({size, white(ensemble_.rough(settingsOf(causes_, with)) - before)});
   }
   const SizeGain best = bestOnChords(row, white(raw_));
-  if (best.gain > 0) lookAt(cause, {best.size});
+  x[0] = best.size;
+  if (best.gain > 0) lookAt(cause, x);
 }
 
 void Stage::lookAround(const Stage* earlier) {

@@ -154,8 +154,9 @@ TEST(CauseList, OfLimbsAndRobotsHasFewSecondNumbers) {
   EXPECT_EQ(withTwoNumbers("limb"),
             (std::set<std::string>{"coulomb_friction", "coupled_stop.lower", "coupled_stop.upper",
                                    "servo_deadband"}));
-  EXPECT_EQ(withTwoNumbers("robot"),
-            (std::set<std::string>{"coupled_stop.lower", "coupled_stop.upper"}));
+  EXPECT_EQ(
+      withTwoNumbers("robot"),
+      (std::set<std::string>{"coulomb_friction", "coupled_stop.lower", "coupled_stop.upper"}));
 }
 
 // An ankle that was left with 0.087 of its torque was no candidate: at 0.4 hardly anything shows.

@@ -163,7 +163,7 @@ TEST(CandidateFit, FindsTheBottomOfANarrowValley) {
     return rate > 0 ? 10 * std::max(0.0, 1 / rate - kReached) : 0;
   });
   LawSearch of("rate_limit", joint);
-  const QuickFit fit = fitQuickly(of.ensemble, of.stage, of.causes, {0, {kStart}, 0}, of.effort);
+  const QuickFit fit = fitQuickly(of.ensemble, of.stage, of.causes, {0, {kStart, 0}, 0}, of.effort);
   // A last step is not worth it below 8 % of the effect: 0.6 % of the gain, and chance.
   EXPECT_GT(fit.gain, 0.99 * of.stage.white(of.stage.raw()).squaredNorm() / 2);
 }
