@@ -94,7 +94,7 @@ TEST(HandedOn, StandsAmongTheCausesOfALevelThatDoesNotTryItByItself) {
   std::vector<PlacedCause> causes = limbCauses(*model, "LLeg", all);
   const std::size_t tried = causes.size();
   const std::vector<HandedOn> handed_on{{"LKneePitch", "backlash", {0.01, 0}, true},
-                                        {"LKneePitch", "rate_limit", {5}, true},
+                                        {"LKneePitch", "rate_limit", {5, 0}, true},
                                         {"LKneePitch", "motor_inertia", {0.5}, true},
                                         {"RKneePitch", "backlash", {0.01, 0}, true},
                                         {"robot", "command_latency", {0.004}, true}};
