@@ -103,6 +103,16 @@ Cause bounded(Cause cause, const RobotModel& model, const std::vector<Joint>& jo
   return cause;
 }
 
+// Whether two joints of a leg turn about the same axis: a hip's roll and an ankle's.
+bool turnAlike(const RobotModel& model, Joint a, Joint b) {
+  constexpr double kAlike = 0.9;
+  const auto axisOf = [&](Joint joint) {
+    const auto coordinate = model.actuators[index(joint)].coordinates.front();
+    return model.bodies[static_cast<std::size_t>(coordinate) + 1].axis;
+  };
+  return std::abs(axisOf(a).dot(axisOf(b))) > kAlike;
+}
+
 class Builder {
  public:
   Builder(const RobotModel& model, const std::vector<Joint>& measured)
@@ -145,6 +155,10 @@ class Builder {
       if (one.cause.id != "encoder_offset" || !ours) continue;
       one.cause.gross = true;
       one.cause.free[0].starts = kZeros;
+      for (const Joint other : joints) {
+        if (other == one.joints[0] || !turnAlike(model_, one.joints[0], other)) continue;
+        one.twins.push_back(model_.actuators[index(other)].name);
+      }
     }
   }
   void add(const Ids& ids, const std::string& place, const std::vector<Joint>& joints) {

@@ -11,8 +11,9 @@ namespace nao::validation {
 /// side, a limb or a joint.
 struct PlacedCause {
   Cause cause;
-  std::string place;          // "robot", "LLeg", "LHipRoll"
-  std::vector<Joint> joints;  // it acts on; none: on all, or on the world
+  std::string place;                 // "robot", "LLeg", "LHipRoll"
+  std::vector<Joint> joints;         // it acts on; none: on all, or on the world
+  std::vector<std::string> twins{};  // places where the same cause does nearly as much
 
   /// Whether it is looked for; else equal robots only differ by it.
   bool isTried() const { return !cause.free[0].starts.empty(); }

@@ -154,6 +154,33 @@ std::vector<std::vector<Chosen>> WholeSearch::finalists() {
   return all;
 }
 
+// What does nearly the same as one of these elsewhere may promise little by looks of other sizes:
+// it begins there, too, either way.
+void WholeSearch::addTwins(std::vector<std::vector<Chosen>>& finalists) const {
+  const std::vector<std::vector<Chosen>> own = finalists;
+  for (const std::vector<Chosen>& beginnings : own) {
+    const Chosen& best = beginnings.front();
+    for (const std::string& place : placed(best.cause).twins) {
+      const std::size_t twin = sameAt(place, best.cause);
+      if (twin == best.cause || has(fit_.model, twin) || dropped_.count(twin) > 0) continue;
+      const auto known = std::find_if(finalists.begin(), finalists.end(), [&](const auto& other) {
+        return other.front().cause == twin;
+      });
+      auto& of_twin = known == finalists.end() ? finalists.emplace_back() : *known;
+      of_twin.push_back({twin, best.x});
+      of_twin.push_back({twin, {-best.x[0]}});
+    }
+  }
+}
+
+// The same cause at another place.
+std::size_t WholeSearch::sameAt(const std::string& place, std::size_t cause) const {
+  for (std::size_t c = 0; c < task_.causes->size(); ++c) {
+    if (placed(c).place == place && placed(c).cause.id == placed(cause).cause.id) return c;
+  }
+  return cause;
+}
+
 std::vector<WholeSearch::Candidate> WholeSearch::fittedFully(
     const std::vector<CauseList>& beginnings) const {
   std::vector<Candidate> fitted(beginnings.size());
@@ -166,6 +193,7 @@ std::vector<WholeSearch::Candidate> WholeSearch::fittedFully(
 
 std::vector<WholeSearch::Candidate> WholeSearch::rank() {
   auto beginnings = finalists();
+  addTwins(beginnings);
   if (!beginnings.empty()) tell("fitting " + std::to_string(beginnings.size()) + " causes");
   if (task_.data->used() > task_.granted) {
     for (const auto& one : beginnings) not_tried_.push_back(labelOf(one.front().cause));

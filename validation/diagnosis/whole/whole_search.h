@@ -68,6 +68,8 @@ class WholeSearch {
   std::vector<Promise> promises() const;
   bool leavesOnlyChance() const;
   std::vector<std::vector<Chosen>> finalists();
+  void addTwins(std::vector<std::vector<Chosen>>& finalists) const;
+  std::size_t sameAt(const std::string& place, std::size_t cause) const;
   std::vector<Candidate> rank();
   void preferProvisional(std::vector<Candidate>& ranking) const;
   const Provisional* provisionalOf(std::size_t cause) const;
