@@ -106,9 +106,10 @@ Cause bounded(Cause cause, const RobotModel& model, const std::vector<Joint>& jo
 // Whether two joints of a leg turn about the same axis: a hip's roll and an ankle's.
 bool turnAlike(const RobotModel& model, Joint a, Joint b) {
   constexpr double kAlike = 0.9;
-  const auto axisOf = [&](Joint joint) {
-    const auto coordinate = model.actuators[index(joint)].coordinates.front();
-    return model.bodies[static_cast<std::size_t>(coordinate) + 1].axis;
+  const auto axisOf = [&](Joint joint) -> Vec3 {
+    const std::vector<int>& turned = model.actuators[index(joint)].coordinates;
+    if (turned.empty()) return Vec3::Zero();
+    return model.bodies[static_cast<std::size_t>(turned.front()) + 1].axis;
   };
   return std::abs(axisOf(a).dot(axisOf(b))) > kAlike;
 }
