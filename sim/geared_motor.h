@@ -16,7 +16,7 @@ struct DriveTerms;
 ///              loses as large a part in it, so that it takes stiffness * stall / efficiency
 ///   friction   as much of its budget as stops the motion, never more: it really sticks. What
 ///              creeps gives way in proportion to its torque, up to its budget; beside friction
-///              that sticks it does, too
+///              that sticks it sticks, too
 ///   gear       rigid; or with play and compliance: then the rotor's angle theta is a state of its
 ///              own, and T = k deadzone(theta - q) + d (theta' - q') turns the link. theta' is
 ///              eliminated by one scalar solve, so that the link sees one implicit torque.

@@ -50,7 +50,7 @@ EffectType rateLimit() {
   return {"rate_limit",
           "The command that the servo follows moves no faster than this.",
           {{"rate", "rad/s", 3, kUnlimited, 0.01, kUnlimited, 0.1},
-           {"ease", "s", 0, 0, 0, kMostEase, 0}},
+           {"ease", "s", 0, 0, 0, kMostEase, 0.0005}},
           Acts::OnCommand,
           makeEffect<RateLimit>};
 }
